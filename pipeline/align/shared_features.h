@@ -14,7 +14,7 @@ struct SharedFeature {
     Eigen::Vector2d in_a, in_b;
 };
 
-/// Settings of feature detection.
+/// Settings for feature detection.
 struct FeatureSettings {
     int long_side = 480;   ///< longer side of the reduced photos, px
     int features = 1000;   ///< maximum number of features per photo

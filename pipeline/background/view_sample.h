@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// A photo's sample at a point of the background.
+/// A photo's sample at a point on the background.
 struct ViewSample {
     enum Kind {
         nothing,   ///< outside the photo, or behind the camera

@@ -16,7 +16,7 @@ namespace vantage {
 /// The benefit and cost of an effect.
 struct EffectCost {
     std::string name, state;            ///< state: "on", "off", "on, forced" or "off, forced"
-    std::optional<MeanWithError> gain;  ///< dB on held-out photos; `error` is the standard error
+    std::optional<MeanWithError> gain;  ///< in dB, on held-out photos; `error` is the standard error
     std::optional<double> seams;        ///< relative change, if validated
     std::optional<double> seconds;      ///< preparation time, summed over all threads if `spans` are given
     std::uint64_t bytes = 0;            ///< size of its data in the package

@@ -54,7 +54,7 @@ Transform transform(const Profile& from, cmsUInt32Number from_type, const Profil
     return made ? Transform(made, cmsDeleteTransform) : nullptr;
 }
 
-/// Transforms pixels of four values. `to` may be the same memory as `from`.
+/// Transforms four-channel pixels. `to` may be the same memory as `from`.
 template <class T>
 void apply(const Transform& transform, std::span<const T> from, std::span<std::uint8_t> to) {
     cmsDoTransform(transform.get(), from.data(), to.data(), cmsUInt32Number(from.size() / 4));

@@ -26,11 +26,11 @@ struct ProfileUse {
 /// `use.converts` is set.
 struct ColorProfile {
     ProfileUse use{};
-    /// Converts pixels of four values to RGBA. The values are red, green and blue, which are equal if the
+    /// Converts four-channel pixels to RGBA. The channels are red, green and blue, which are equal if the
     /// photo is gray, and alpha, which is unchanged; or they are inks as Adobe stores them in JPEG files,
     /// with 255 for no ink.
     std::function<void(std::span<std::uint8_t> pixels)> convert{};
-    /// Like `convert`, but for 16 bits per value, rounded to 8 afterwards; empty for inks.
+    /// Like `convert`, but for 16 bits per channel, rounded to 8 afterwards; empty for inks.
     std::function<std::vector<std::uint8_t>(std::span<const std::uint16_t> pixels)> converted{};
 };
 

@@ -17,9 +17,9 @@ inline constexpr std::size_t channel_values = 65536;
 /// red, green and blue values. Each of the three tables has `channel_values` elements.
 using LightTable = std::array<std::vector<Light>, 3>;
 
-/// Converts pixels of four values each to sRGB and clips them. NaN becomes 0, and alpha is unchanged.
+/// Converts four-channel pixels to sRGB and clips them. NaN becomes 0, and alpha is unchanged.
 void to_srgb(const LightTable& light, std::span<std::uint8_t> rgba);
-/// Like the function above, but for 16 bits per value, rounded to 8 afterwards.
+/// Like the function above, but for 16 bits per channel, rounded to 8 afterwards.
 std::vector<std::uint8_t> to_srgb(const LightTable& light, std::span<const std::uint16_t> rgba);
 
 }  // namespace vantage

@@ -18,7 +18,7 @@ inline constexpr double depth_step = 0.02;
 /// Mean colors of the 2 x 2 texels around each texel corner; at the edge of the photo, only texels inside the
 /// photo count. Interpolating between four corners gives the mean over a square at any position.
 struct SquareMeans {
-    int width = 0, height = 0;           ///< corners: one more than texels
+    int width = 0, height = 0;           ///< in corners; one more than the number of texels
     std::vector<Eigen::Array4f> colors;  ///< row by row, in linear light; the fourth value is unused
 
     /// The mean around a position in units of squares. Each coordinate must be at least 0 and at most one

@@ -16,7 +16,7 @@ class Trace {
         const char* what;
         std::string photo;  ///< empty if the work concerns the whole scene
         unsigned thread;    ///< threads are numbered in the order of their first spans
-        double begin, end;  ///< s since the trace was created
+        double begin, end;  ///< seconds since the trace was created
     };
 
     /// `what` must be a string literal: only the pointer is kept.

@@ -149,7 +149,7 @@ Vector3f albedo(Material material, const Vector3d& p, const Vector3d& n) {
 
 namespace {
 
-/// Strokes 4 cm wide that form squares spaced at 0.8 m, with an arch in every second square.
+/// Strokes 4 cm wide that form a grid of 0.8 m squares, with an arch in every other square.
 double charcoal(const Vector2d& uv) {
     constexpr double square = 0.8, half = 0.02;
     const double column = std::floor(uv.x() / square), row = std::floor(uv.y() / square);

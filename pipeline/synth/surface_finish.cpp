@@ -29,7 +29,7 @@ double slope(const SurfacePoint& at, const Height& height) {
 /// One of the stones of a wall or a pavement.
 struct Stone {
     double id;    ///< [0, 1), random
-    double tilt;  ///< height of the stone's face in meters; stones are slightly uneven
+    double tilt;  ///< height of the stone's slightly tilted face at this point, in meters
     double edge;  ///< distance to the stone's nearest edge, in meters
 };
 

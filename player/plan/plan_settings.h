@@ -19,7 +19,7 @@ struct PlanSettings {
     double samples = 1;  ///< per side of a pixel
     /// Whether plans use the fact that a photo outweighs all others near its own camera (shaders/blend.frag).
     /// Only for complete plans, because other plans also skip photos whose weights are large enough to be
-    /// visible along the borders of that photo.
+    /// visible along the borders of the photo that outweighs them.
     bool own_views = false;
     /// Clusters up to this distance outside the frame, as a fraction of the frame's width, are planned as
     /// well, so that a moving view can be drawn with the previous plan.

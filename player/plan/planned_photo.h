@@ -21,7 +21,7 @@ struct PlannedPhoto {
 
 std::vector<std::uint32_t> numbers_of(std::span<const PlannedPhoto> photos);
 
-/// Lists the tiles of a photo that its clusters need. `weight`: the photo's weight at a point of the surface,
+/// Lists the tiles of a photo that its clusters need. `weight`: the photo's weight at a point on the surface,
 /// in [0, 1]; 0 if the photo does not show it. The photo's weight maps are also read at the level `coarse` if
 /// that level is coarser.
 void add_needs(PlannedPhoto& photo, const VisibleSurface& surface, const PlanSettings& settings,

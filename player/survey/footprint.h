@@ -14,7 +14,7 @@ struct Footprint {
     std::uint32_t photo;  ///< index of the photo
 };
 
-/// Footprints of the photos that see a point of a triangle (numbered from 0), smallest first. A photo sees
+/// Footprints of the photos that see a point on a triangle (numbered from 0), smallest first. A photo sees
 /// the point if its coverage includes the triangle, its frame contains the point, and no other surface of the
 /// mesh lies between its camera and the point.
 std::vector<Footprint> footprints(const PlanScene& scene, std::uint32_t triangle,

@@ -61,8 +61,8 @@ Measured evaluate(const Measurement& measurement, const Scale& scale, const Eige
 /// "x 1.253   y 0.004   z 12.480", with as many digits as the uncertainty allows, or ten if it is unknown.
 std::string coordinates_text(const SurveyPoint& point);
 /// "2.014 ± 0.003 m" as displayed in the window, with as many digits as the uncertainty allows, or six if the
-/// uncertainty is unknown. The lengths in notes have the same digits. A measurement without a value returns
-/// its note.
+/// uncertainty is unknown. The lengths in notes have the same digits. Returns the note if the measurement
+/// has no value.
 std::string text_of(const Measured& measured);
 
 }  // namespace vantage

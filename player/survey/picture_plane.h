@@ -16,7 +16,7 @@ struct PicturePlane {
 /// Parses the name of a plane through the origin of the input coordinates: top, bottom, front, back, left or
 /// right, viewed from that side. `scene_up` is the scene's up direction. If the x axis is horizontal, it
 /// points right in the front view and, as on a map, in the top view: with z up, the front view looks along y,
-/// and y points upward in the top view. Also parses nine numbers separated by commas: a point of the plane,
+/// and y points upward in the top view. Also parses nine numbers separated by commas: a point on the plane,
 /// the plane's normal toward the viewer, and the picture's up direction. If the last three numbers are
 /// missing, up is `scene_up`, or any direction if `scene_up` is along the normal. Throws Error(usage).
 PicturePlane parse_plane(const std::string& text, const Eigen::Vector3d& scene_up);

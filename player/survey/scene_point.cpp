@@ -12,7 +12,7 @@
 namespace vantage {
 namespace {
 
-/// A point of one of the meshes, relative to the scene's origin.
+/// A point on one of the meshes, relative to the scene's origin.
 struct Found {
     const PlacedMesh* mesh;
     std::uint32_t triangle;

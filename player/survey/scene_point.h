@@ -27,7 +27,7 @@ struct Snapping {
         0;  ///< snaps to the nearest visible vertex within this distance in the picture; 0 disables snapping
 };
 
-/// The nearest point of the meshes at `pixel` in the view's picture, in coordinates of the scene's first
+/// The nearest point on the meshes at `pixel` in the view's picture, in coordinates of the scene's first
 /// input, whose origin is `origin`. Its uncertainty comes from the photos that see it. Returns nullopt if
 /// there is no surface.
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
@@ -38,7 +38,7 @@ std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
                                        const Ray& ray, std::span<const SectionPlane> sections = {});
 
-/// A point of a surface, relative to the scene's origin, and its unit normal, which points toward the viewer.
+/// A point on a surface, relative to the scene's origin, and its unit normal, which points toward the viewer.
 struct SurfacePoint {
     Eigen::Vector3d at, normal;
 };

@@ -39,7 +39,7 @@ struct StoryNote {
 struct StoryStop {
     std::string note{};  ///< the note's ID; if empty, `view` is set
     std::optional<StoryView> view{};
-    double fly = 3, stay = 5;  ///< seconds that the flight and the stop last
+    double fly = 3, stay = 5;  ///< durations of the flight and the stop, in seconds
     bool operator==(const StoryStop&) const = default;
 };
 

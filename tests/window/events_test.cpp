@@ -27,7 +27,7 @@ class WindowEventsTest : public WindowTest {
     static Eigen::Vector2d pixel_of(const HeadlessWindow& w, const Eigen::Vector3d& point) {
         return project(w.view().intrinsics, w.view().cam_from_origin, point)->pixel;
     }
-    /// The point of the model at `pixel`.
+    /// The point on the model at `pixel`.
     static Eigen::Vector3d point_at(HeadlessWindow& w, const Eigen::Vector2d& pixel) {
         const auto hit = first_hit(w.scene(), ray_through(w.view(), pixel));
         EXPECT_TRUE(hit) << pixel.transpose();

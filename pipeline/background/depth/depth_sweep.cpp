@@ -8,7 +8,7 @@
 namespace vantage {
 namespace {
 
-constexpr float nearest = 1.0f;          ///< the largest inverse distance above the base, times the reach
+constexpr float nearest = 1.0f;          ///< largest inverse distance minus the base's, times the reach
 constexpr float infinite = 1.0f / 4096;  ///< an inverse distance, times the reach, that counts as infinity
 
 struct Cameras {

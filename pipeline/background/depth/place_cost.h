@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// The photometric cost of a point of the backdrop; see docs/method.md. Points are given by a direction from
+/// The photometric cost of a point on the backdrop; see docs/method.md. Points are given by a direction from
 /// the center and an inverse distance.
 class PlaceCost {
   public:

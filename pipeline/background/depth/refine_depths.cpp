@@ -14,7 +14,7 @@ constexpr int rounds = 3;
 constexpr float edge_steps = 2;  ///< between neighbors
 
 struct Candidate {
-    float over;  ///< inverse distance above the base
+    float over;  ///< inverse distance minus the base's
     float cost;
 };
 

@@ -14,7 +14,7 @@ constexpr double least_wall_share = 0.06;
 constexpr float tolerance = 0.5f;  ///< labels
 constexpr float near = 0.97f;      ///< cosine between the two directions that define a trial wall
 
-/// A direction's horizontal component and its inverse distance; the points of a wall satisfy inverse = slope
+/// A direction's horizontal component and its inverse distance; the points on a wall satisfy inverse = slope
 /// . level.
 struct WallSighting {
     Eigen::Vector2f level;

@@ -5,9 +5,9 @@
 
 namespace vantage {
 
-/// Finds up to three vertical planes beyond the mesh that each contain the depths of at least 6 % of the
-/// shown directions, such as the facade across the street, by RANSAC (Fischler and Bolles 1981). The largest
-/// comes first. Deterministic.
+/// Uses RANSAC (Fischler and Bolles 1981) to find up to three vertical planes beyond the mesh, such as the
+/// facade across the street. Each plane contains the depths of at least 6 % of the shown directions. The
+/// largest comes first. Deterministic.
 std::vector<Plane> walls_beyond(const SweptDepths& depths, const DirectionSphere& sphere,
                                 const std::vector<float>& inverse, const Eigen::Vector3d& down);
 

@@ -12,7 +12,7 @@ namespace vantage {
 /// The displacement of the surface in a cell of a pair's first photo, and its derivatives with respect to
 /// camera errors. All camera errors are expressed in pixels.
 struct CellDisplacement {
-    Eigen::Vector2d moved;  ///< px of the first photo
+    Eigen::Vector2d moved;  ///< in px of the first photo
     double weight;          ///< number of matches, at most 4
     bool odd;               ///< true for every other cell, as on a checkerboard
     /// For each pose: the rotation about the camera's axes times the focal length, and the translation times

@@ -10,7 +10,7 @@
 
 namespace vantage {
 
-/// Settings of match_pairs.
+/// Settings for match_pairs.
 struct MatchSettings {
     int long_side;  ///< longer side of the reduced photos, px
     int corners;    ///< maximum per photo

@@ -113,7 +113,7 @@ bool sighting(const Projector& p, const Point& point, Sighting& out) {
     return true;
 }
 
-/// The target's pixels as points of the surface.
+/// The target's pixels as points on the surface.
 class Surface {
   public:
     explicit Surface(const CoarsePhoto& target) : target_(target) {}

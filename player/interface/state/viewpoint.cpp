@@ -57,7 +57,7 @@ void continue_flight(Viewpoint& v, double now, bool final) {
 }
 
 void note_view(Viewpoint& v, double now) {
-    constexpr double pause = 0.5;  // seconds that separate two movements
+    constexpr double pause = 0.5;  // shortest pause between two movements, in seconds
     constexpr std::size_t most = 100;
     Viewpoint::EarlierViews& e = v.earlier;
     if (v.camera.eye != e.last.eye || v.camera.R != e.last.R) {

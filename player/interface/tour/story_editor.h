@@ -14,7 +14,7 @@ namespace vantage {
 bool place_note(ActiveStory& active, std::size_t note, const Session& session, const SurfaceAt& surface,
                 const Eigen::Vector2d& pixel);
 
-/// The panel for writing a story. The panel adds notes at points of the surface that are clicked, edits the
+/// The panel for writing a story. The panel adds notes at points on the surface that are clicked, edits the
 /// open note, sorts the notes, makes a tour of them, and saves the story. Texts are edited in the displayed
 /// language.
 class StoryEditor {

@@ -22,7 +22,7 @@ namespace vantage {
 /// Duration of a frame on a path's clock, which controls fades.
 inline constexpr double frame_seconds = 1.0 / 30;
 
-/// Settings of flights along paths.
+/// Settings for flights along paths.
 struct FlightOptions {
     PackageOptions package;
     std::vector<SceneObject> scene;  ///< the objects shown; the first is the package

@@ -14,7 +14,7 @@ namespace vantage {
 void write_evaluation_page(const std::filesystem::path& folder, const std::string& title,
                            const std::vector<PhotoEvaluation>& results, int worst);
 
-/// Indices of the photos that an earlier evaluation also contains, largest loss first (dB after gains).
+/// Indices of the photos that are also in an earlier evaluation, by decreasing loss (dB after gains).
 std::vector<std::size_t> by_change(const std::vector<PhotoEvaluation>& results);
 
 /// Indices by increasing SSIM; photos without colored pixels come first.

@@ -40,7 +40,7 @@ std::optional<SurfaceSample> surface_sample(const View& view, const Eigen::Vecto
     const Eigen::Vector3d p = R * position + view.cam_from_origin.t, n = R * normal, ray = p / p.z();
     const double facing = n.dot(ray);
     if (!(p.z() > 0) || !(std::abs(facing) > 1e-9)) return {};
-    // The point of the plane at the next sample, minus the point at this sample.
+    // The point on the plane at the next sample, minus the point at this sample.
     const auto along = [&](int axis, double f) -> Eigen::Vector3d {
         return R.transpose() *
                ((Eigen::Vector3d::Unit(axis) - ray * (n[axis] / facing)) * (p.z() / (f * samples)));

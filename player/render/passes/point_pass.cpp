@@ -14,7 +14,7 @@ namespace vantage {
 namespace {
 
 constexpr float largest = 64;    ///< diameter of a point, px
-constexpr float filling = 1.7f;  ///< diameter relative to the spacing; randomly placed points leave few gaps
+constexpr float filling = 1.7f;  ///< diameter over spacing, so that randomly placed points leave few gaps
 
 struct Command {  ///< a draw of glMultiDrawArraysIndirect
     std::uint32_t count, instances, first, base_instance;

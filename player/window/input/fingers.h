@@ -44,7 +44,7 @@ class Fingers {
         return {pointer_.x, pointer_.y, {down, false, false}, there};
     }
 
-    std::vector<Finger> down_;  ///< in order of touching
+    std::vector<Finger> down_;  ///< in the order in which they touched the screen
     Pointer pointer_;           ///< the pointer of the first finger
     bool acts_ = false;         ///< a finger acts as the left button
     bool drags_ = false;        ///< the finger has moved away from its start

@@ -21,7 +21,7 @@ using Rgb = std::array<int, 3>;
 
 namespace {
 
-constexpr int side = 200;  ///< px of a photo
+constexpr int side = 200;  ///< of a photo, px
 
 /// A camera with a field of view of 53 degrees.
 Camera look(const Vector3d& eye, const Vector3d& target, const Vector3d& up) {

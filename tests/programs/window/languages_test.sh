@@ -17,7 +17,7 @@ for catalog in "$source"/player/interface/languages/*.po; do
   msgcmp "$catalog" "$texts/vantage.pot" || { echo "FAILED: $catalog lacks texts"; failed=1; }
   ! grep -n '^#~\|^#,.*fuzzy' "$catalog" || { echo "FAILED: $catalog has texts that are fuzzy, or not of the window"; failed=1; }
 done
-# refuse WHY PATTERN FILE: reports the texts that match a Perl expression
+# refuse WHY PATTERN FILE KEYWORD: fails if any text matches a Perl regular expression, and reports those texts
 refuse() {
   ! msgcat --no-wrap "$3" | grep -nP "^${4}.*($2)" || { echo "FAILED: $3: $1"; failed=1; }
 }
