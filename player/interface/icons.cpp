@@ -56,6 +56,16 @@ void light(const Pen& p) {
     }
 }
 
+/// A cube.
+void object(const Pen& p) {
+    const ImVec2 outline[] = {p.at(0, -0.95f), p.at(0.82f, -0.48f), p.at(0.82f, 0.48f),
+                              p.at(0, 0.95f),  p.at(-0.82f, 0.48f), p.at(-0.82f, -0.48f)};
+    p.list.AddPolyline(outline, 6, p.color, ImDrawFlags_Closed, p.width());
+    p.line(0, 0, 0, 0.95f);
+    p.line(0, 0, 0.82f, -0.48f);
+    p.line(0, 0, -0.82f, -0.48f);
+}
+
 /// A globe.
 void language(const Pen& p) {
     const auto ring = [&](float across) {
@@ -110,6 +120,8 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size, ImU32 col
             return compare(pen);
         case Icon::light:
             return light(pen);
+        case Icon::object:
+            return object(pen);
         case Icon::language:
             return language(pen);
         case Icon::full_screen:

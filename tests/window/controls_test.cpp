@@ -222,11 +222,15 @@ TEST_F(WindowControls, OfTheBarAndTheRadar) {
     EXPECT_TRUE(w.there("Swipe"));
     w.press("Bar Compare");
     EXPECT_EQ(w.session.settings.compare, Compare::nothing);
-    for (const auto& [entry, light] : {std::pair{"Lamp at the viewer", Light::lamp},
-                                       std::pair{"Raking light that follows the pointer", Light::raking},
-                                       std::pair{"As in the photos", Light::photos}}) {
-        w.choose("Bar Light", entry);
-        EXPECT_EQ(w.session.settings.light.light, light) << entry;
+    w.session.lamp_follows = false;
+    for (const Light light : {Light::raking, Light::photos}) {
+        w.press("Bar Light");
+        EXPECT_EQ(w.session.settings.light.light, light);
+    }
+    EXPECT_TRUE(w.session.lamp_follows);
+    for (const ShowBackground background : {ShowBackground::off, ShowBackground::on}) {
+        w.press("Bar Only the object");
+        EXPECT_EQ(w.session.settings.background, background);
     }
     // Each camera is on the map, and clicks up to a few pixels away select it.
     w.key(GLFW_KEY_F6);

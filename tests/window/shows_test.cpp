@@ -40,7 +40,8 @@ TEST_F(WindowShows, TooltipsExplainWhatIsUnderThePointer) {
     HeadlessWindow w(package_of(WindowScene::garden));
     w.point_at({450, 200}), w.frames(3);
     EXPECT_FALSE(w.there("Tooltip"));
-    for (const char* tool : {"Home", "Photos", "Compare", "Light", "Help", "Full screen", "Expert"}) {
+    for (const char* tool :
+         {"Home", "Photos", "Compare", "Light", "Only the object", "Help", "Full screen", "Expert"}) {
         w.point_at(w.place(std::string("Bar ") + tool)), w.frames(3);
         EXPECT_TRUE(w.there("Tooltip")) << tool;
     }

@@ -3,9 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <iterator>
 #include <span>
+#include <vector>
 
 #include "base/text/translation.h"
 #include "player/interface/docked.h"
@@ -16,30 +15,48 @@
 namespace vantage {
 namespace {
 
+/// `left`: at the left end of the bar, otherwise at the right end.
 struct Tool {
     const char* name;
     Icon icon;
     const char* help;
+    bool left, in_kiosk = true, in_window = true;
 };
+/// A kiosk has a choice of languages, because it does not know the visitor's language.
 constexpr Tool tools[] = {
-    {marked("Home"), Icon::home, marked("Back to the first view (H)")},
+    {marked("Home"), Icon::home, marked("Back to the first view (H)"), true},
     {MARKED_IN("tool", "Photos"), Icon::photos,
-     marked("Show or hide the photos; click on one to view the scene from there (F4)")},
+     marked("Show or hide the photos; click on one to view the scene from there (F4)"), true},
     {MARKED_IN("tool", "Compare"), Icon::compare,
-     marked("Fly to the closest photo and compare the model with it (C)")},
-    {MARKED_IN("tool", "Light"), Icon::light, marked("Move a lamp over the surface, to see its shape")},
-    {marked("Help"), Icon::help, marked("Mouse and keyboard (F1)")},
-    {marked("Full screen"), Icon::full_screen, marked("Full screen, or a window again (F11)")},
-    {marked("Expert"), Icon::expert, marked("All settings (Tab)")}};
+     marked("Fly to the closest photo and compare the model with it (C)"), true},
+    {MARKED_IN("tool", "Light"), Icon::light,
+     marked("Light the surface with a lamp that follows the pointer, to see its shape"), true},
+    {marked("Only the object"), Icon::object, marked("Hide or show the background"), true},
+    {marked("Language"), Icon::language, marked("Choose a language"), false, true, false},
+    {marked("Help"), Icon::help, marked("Mouse and keyboard (F1)"), false},
+    {marked("Full screen"), Icon::full_screen, marked("Full screen, or a window again (F11)"), false, false},
+    {marked("Expert"), Icon::expert, marked("All settings (Tab)"), false, false}};
 
-constexpr std::size_t tools_on_the_left = 4;
+bool is_usable(Icon icon, const Renderer& renderer) {
+    switch (icon) {
+        case Icon::photos:
+        case Icon::compare:
+            return !renderer.scene().photos.empty();
+        case Icon::light:
+            return !points_only(renderer.package().scene());
+        case Icon::object:
+            return renderer.scene().has_background();
+        default:
+            return true;
+    }
+}
 
-/// Tools for a kiosk. They include the choice of a language, because a kiosk does not know the visitor's
-/// language.
-constexpr Tool kiosk_tools[] = {
-    tools[0], tools[1], tools[2], tools[3], {marked("Language"), Icon::language, marked("Choose a language")},
-    tools[4]};
-static_assert(tools[4].icon == Icon::help);
+std::vector<Tool> shown_tools(bool kiosk, const Renderer& renderer) {
+    std::vector<Tool> out;
+    for (const Tool& tool : tools)
+        if ((kiosk ? tool.in_kiosk : tool.in_window) && is_usable(tool.icon, renderer)) out.push_back(tool);
+    return out;
+}
 
 /// Width of the shown tools, each of which is followed by a gap.
 float width_of(std::span<const Tool> shown, bool labels, float gap) {
@@ -48,39 +65,24 @@ float width_of(std::span<const Tool> shown, bool labels, float gap) {
     return width;
 }
 
-/// A list above the bar, at a button, with items spaced for touch. Returns whether the list is open.
-bool list_above(Controls& c, const char* name, const Area& bar, float button) {
+/// The list of languages above the bar, at a button, with items spaced for touch.
+void languages(Controls& c, WindowState& window, const Area& bar, float button) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImVec2(button, float(bar.top) - 0.3f * em), ImGuiCond_Always,
                             ImVec2(button / std::max(1.0f, float(bar.width)), 1));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.6f * em, em));
-    const bool open = c.popup(name);
-    if (!open) ImGui::PopStyleVar();
-    return open;
-}
-
-void end_list() {
-    ImGui::EndPopup();
+    if (c.popup("##languages")) {
+        language_items(c, window);
+        ImGui::EndPopup();
+    }
     ImGui::PopStyleVar();
 }
 
-void lights(Controls& c, Session& s, const Area& bar, float button) {
-    if (!list_above(c, "##lights", bar, button)) return;
-    LightSettings& l = s.settings.light;
-    const auto choose = [&](const char* name, Light light) {
-        if (c.menu_item(name, nullptr, l.light == light)) l.light = light;
-    };
-    choose("As in the photos", Light::photos);
-    choose("Raking light that follows the pointer", Light::raking);
-    choose("Lamp at the viewer", Light::lamp);
-    if (l.light == Light::raking) s.lamp_follows = true;
-    end_list();
-}
-
-void languages(Controls& c, WindowState& window, const Area& bar, float button) {
-    if (!list_above(c, "##languages", bar, button)) return;
-    language_items(c, window);
-    end_list();
+/// Raking light that follows the pointer, or none. The sidebar has other kinds of light.
+void toggle_light(Session& s) {
+    Light& light = s.settings.light.light;
+    light = light == Light::photos ? Light::raking : Light::photos;
+    s.lamp_follows = true;
 }
 
 void use(const Tool& tool, Session& s, const Renderer& renderer, const View& view, double now) {
@@ -93,7 +95,12 @@ void use(const Tool& tool, Session& s, const Renderer& renderer, const View& vie
         case Icon::compare:
             return toggle_comparison(s, renderer.scene(), view, now);
         case Icon::light:
-            return ImGui::OpenPopup("##lights");
+            return toggle_light(s);
+        case Icon::object: {
+            ShowBackground& background = s.settings.background;
+            background = background == ShowBackground::off ? ShowBackground::on : ShowBackground::off;
+            return;
+        }
         case Icon::language:
             return ImGui::OpenPopup("##languages");
         case Icon::full_screen:
@@ -112,13 +119,9 @@ bool is_lit(Icon icon, const Session& s) {
     return (icon == Icon::photos && s.window.panels.photos) ||
            (icon == Icon::compare && s.settings.compare != Compare::nothing) ||
            (icon == Icon::light && s.settings.light.light != Light::photos) ||
+           (icon == Icon::object && s.settings.background == ShowBackground::off) ||
            (icon == Icon::full_screen && s.window.full_screen) ||
            (icon == Icon::help && s.window.panels.help) || (icon == Icon::expert && s.window.panels.expert);
-}
-
-bool is_usable(Icon icon, const Renderer& renderer) {
-    if (icon == Icon::photos || icon == Icon::compare) return !renderer.scene().photos.empty();
-    return icon != Icon::light || !points_only(renderer.package().scene());
 }
 
 }  // namespace
@@ -127,26 +130,21 @@ void visitor_bar(Controls& c, Session& s, const Renderer& renderer, const View& 
                  double now) {
     const float em = ImGui::GetFontSize();
     begin_docked("##bar", area, ImVec2(0.5f * em, 0.35f * em), ImGuiWindowFlags_NoDecoration);
-    const std::span<const Tool> shown = s.window.kiosk ? std::span<const Tool>(kiosk_tools) : tools;
+    const std::vector<Tool> shown = shown_tools(s.window.kiosk, renderer);
     const float gap = 0.5f * em;
     const bool labels = width_of(shown, true, gap) + 2 * gap < float(area.width);
-    const std::size_t on_the_left = std::min(shown.size(), tools_on_the_left);
-    const float right = float(area.width) - width_of(shown.subspan(on_the_left), labels, gap);
-    float light_button = 0, language_button = 0;
-    for (const Tool& tool : shown) {
-        if (&tool == &shown[tools_on_the_left])
-            ImGui::SameLine(right);
-        else if (&tool != shown.data())
+    const auto right = std::ranges::find(shown, false, &Tool::left);
+    float language_button = 0;
+    for (auto tool = shown.begin(); tool != shown.end(); ++tool) {
+        if (tool == right)
+            ImGui::SameLine(float(area.width) - width_of({right, shown.end()}, labels, gap));
+        else if (tool != shown.begin())
             ImGui::SameLine(0, gap);
-        ImGui::BeginDisabled(!is_usable(tool.icon, renderer));
-        if (c.icon_button(tool.name, tool.icon, is_lit(tool.icon, s), labels))
-            use(tool, s, renderer, view, now);
-        ImGui::EndDisabled();
-        if (tool.icon == Icon::light) light_button = ImGui::GetItemRectMin().x;
-        if (tool.icon == Icon::language) language_button = ImGui::GetItemRectMin().x;
-        c.explain(tool.help);
+        if (c.icon_button(tool->name, tool->icon, is_lit(tool->icon, s), labels))
+            use(*tool, s, renderer, view, now);
+        if (tool->icon == Icon::language) language_button = ImGui::GetItemRectMin().x;
+        c.explain(tool->help);
     }
-    lights(c, s, area, light_button);
     languages(c, s.window, area, language_button);
     ImGui::End();
 }
