@@ -28,17 +28,6 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
     toggle("Notes and tours", "J", s.window.panels.story);
     toggle("Edit the story", "Ctrl+E", s.window.panels.story_editor);
     ImGui::Separator();
-    toggle("Picture", "F12", s.window.panels.picture);
-    toggle("List of photos", "", s.window.panels.photo_list);
-    toggle("Cut", "", s.window.panels.cut);
-    toggle("Orthophoto", "", s.window.panels.orthophoto);
-    toggle("Blending", "F2", s.window.panels.blending);
-    toggle("Status", "F3", s.window.panels.status);
-    if (!renderer.resources().fields.all().empty()) toggle("Scalar fields", "F7", fields_open(s));
-    if (renderer.resources().points) toggle("Point cloud", "F8", s.window.panels.points);
-    if (renderer.scene().image_sets.size() > 1) toggle("Image sets", "F9", s.window.panels.image_sets);
-    toggle("Objects", "F10", s.window.panels.objects);
-    ImGui::Separator();
     toggle("Full screen", "F11", s.window.full_screen);
     if (c.menu("Language")) {
         language_items(c, s.window);

@@ -12,8 +12,8 @@ struct SidebarContent {
     const View& view;  ///< of the picture
 };
 
-/// The collapsible sections, for experts. Returns whether the picture changed in a way that the session does
-/// not record.
+/// The settings, for experts: groups by task, each with a few controls and the rest behind "More". Returns
+/// whether the picture changed in a way that the session does not record.
 bool sidebar(Controls& controls, Session& session, const SidebarContent& content, const Area& area,
              double now);
 

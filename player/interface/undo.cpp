@@ -12,18 +12,20 @@ namespace vantage {
 namespace {
 
 /// Copies the settings that are not undone: they follow the pointer, the frame or a comparison.
-void copy_transient(const RenderSettings& from, RenderSettings& to) {
-    to.compare = from.compare;
-    to.compare_photo = from.compare_photo;
-    to.swipe = from.swipe;
-    to.image_sets.how = from.image_sets.how;
-    to.image_sets.swipe = from.image_sets.swipe;
-    to.light.azimuth = from.light.azimuth;
-    to.light.elevation = from.light.elevation;
-    to.weights_from = from.weights_from;
-    to.points.pick = from.points.pick;
-    to.sections = from.sections;
-    to.capacity = from.capacity;
+void copy_transient(const SessionSettings& from, SessionSettings& to) {
+    const RenderSettings& now = from.settings;
+    RenderSettings& r = to.settings;
+    r.compare = now.compare;
+    r.compare_photo = now.compare_photo;
+    if (r.exposure && now.exposure) r.exposure = now.exposure;
+    r.swipe = now.swipe;
+    r.image_sets.how = now.image_sets.how;
+    r.image_sets.swipe = now.image_sets.swipe;
+    r.light.azimuth = now.light.azimuth;
+    r.light.elevation = now.light.elevation;
+    r.points.pick = now.points.pick;
+    r.sections = now.sections;
+    r.capacity = now.capacity;
 }
 
 /// The open note stays open if it still exists.
@@ -56,11 +58,8 @@ void UndoHistory::record(const Session& s, const ActiveStory& active, const Meas
     if (!settled) --settling_;
     record(story_, active.story, settled);
     record(survey_, measure.survey(), settled && !read);
-    record(cut_, s.cut, settled);
-    RenderSettings render = s.settings;
-    copy_transient({}, render);
-    if (render == settings_.render && s.photos == settings_.photos) return;  // no copy in an idle frame
-    record(settings_, {std::move(render), s.photos}, settled);
+    copy_transient(s, settings_);
+    record<SessionSettings>(settings_, s, settled);
 }
 
 void UndoHistory::move(Session& s, ActiveStory& active, MeasurePanel& measure, bool back, double now) {
@@ -75,15 +74,12 @@ void UndoHistory::move(Session& s, ActiveStory& active, MeasurePanel& measure, b
     } else if (const auto* const survey = std::get_if<Step<Survey>>(&step)) {
         what = tr_in("undo", "measurements");
         measure.restore(s, back ? survey->after : survey->before, back ? survey->before : survey->after, now);
-    } else if (const auto* const cut = std::get_if<Step<Cut>>(&step)) {
-        what = tr_in("undo", "cut");
-        s.cut = back ? cut->before : cut->after;
-    } else if (const auto* const settings = std::get_if<Step<Settings>>(&step)) {
-        what = tr_in("undo", "settings");
-        const Settings& to = back ? settings->before : settings->after;
-        const RenderSettings current = std::exchange(s.settings, to.render);
-        copy_transient(current, s.settings);
-        s.photos = to.photos;
+    } else if (const auto* const settings = std::get_if<Step<SessionSettings>>(&step)) {
+        what = settings->before.cut == settings->after.cut ? tr_in("undo", "settings") : tr_in("undo", "cut");
+        SessionSettings& now_set = s;
+        SessionSettings to = back ? settings->before : settings->after;
+        copy_transient(s, to);
+        now_set = std::move(to);
     }
     say(s.message, formatted(back ? tr("Undone: %s") : tr("Redone: %s"), what), now);
     settling_ = 3;

@@ -1,5 +1,4 @@
 #pragma once
-#include <cstdint>
 #include <variant>
 #include <vector>
 
@@ -9,7 +8,7 @@
 
 namespace vantage {
 
-/// The changes of a scene's story, measurements, cut and settings, which a user can undo and redo.
+/// The changes of a scene's story, measurements and settings, which a user can undo and redo.
 class UndoHistory {
   public:
     /// Records the changes since the last call, and executes the commands Undo and Redo. Changes by a control
@@ -17,11 +16,6 @@ class UndoHistory {
     void attend(Session& session, ActiveStory& active, MeasurePanel& measure, double now);
 
   private:
-    struct Settings {
-        RenderSettings render;  ///< without settings that are not undone
-        std::vector<std::uint32_t> photos;
-        bool operator==(const Settings&) const = default;
-    };
     template <class T>
     struct Step {
         T before, after;
@@ -36,12 +30,11 @@ class UndoHistory {
     /// As recorded last.
     Story story_;
     Survey survey_;
-    Cut cut_;
-    Settings settings_;
+    SessionSettings settings_;
     int reads_ = -1;  ///< of the measurements
     /// Frames during which changes are adjustments by the window, not by the user.
     int settling_ = 1;
-    std::vector<std::variant<Step<Story>, Step<Survey>, Step<Cut>, Step<Settings>>> steps_;
+    std::vector<std::variant<Step<Story>, Step<Survey>, Step<SessionSettings>>> steps_;
     std::size_t done_ = 0;  ///< the steps that are not undone
 };
 

@@ -32,6 +32,21 @@ ImageSetSettings chosen_image_sets(const PackageReader& package, const ShowOptio
     return out;
 }
 
+/// The settings of the program, of the command line, or as remembered.
+SessionSettings session_settings(const PackageReader& package, const ShowOptions& o,
+                                 const RenderSettings& render) {
+    SessionSettings out;
+    out.settings = render;
+    out.settings.upload_bytes = o.memory.upload_bytes();
+    out.settings.loading = Loading::streamed;
+    out.settings.field = field_settings(package, o.field);
+    if (o.light.shown != LightSettings{}) out.settings.light = light_settings(o.light);
+    out.settings.points = point_settings(o.points);
+    out.lamp_follows = o.light.lamp.empty();
+    out.stereo = o.stereo;
+    return out;
+}
+
 }  // namespace
 
 void expect_content(const PackageReader& package) {
@@ -58,14 +73,9 @@ std::string chosen_language(const ShowOptions& o, const Remembered& remembered) 
 Session start_session(const PackageReader& package, const ShowOptions& o, const Remembered& remembered,
                       WindowState& window) {
     Session s(window);
-    s.settings = remembered.settings;
-    s.settings.upload_bytes = o.memory.upload_bytes();
-    s.settings.loading = Loading::streamed;
-    s.settings.field = field_settings(package, o.field);
-    if (read_fields(package).empty()) s.measured_fields = s.settings.field.index >= 0;
-    if (o.light.shown != LightSettings{}) s.settings.light = light_settings(o.light);
-    s.settings.points = point_settings(o.points);
-    s.lamp_follows = o.light.lamp.empty();
+    s.defaults = session_settings(package, o, render_settings(package, o.blending, Purpose::window));
+    s.defaults.settings.image_sets = chosen_image_sets(package, o, {});
+    static_cast<SessionSettings&>(s) = session_settings(package, o, remembered.settings);
     s.settings.image_sets = chosen_image_sets(package, o, remembered);
     const std::uint32_t image_set = s.settings.image_sets.shown;
     const bool any = o.package.photos.empty();
@@ -80,7 +90,6 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     begin_at(s.viewpoint, home);
     window.panels.expert |= !o.field.name.empty();
     window.places_note = false;
-    s.stereo = o.stereo;
     return s;
 }
 
@@ -88,6 +97,8 @@ void begin_in_scene(Session& s, const PackageReader& package, const ActiveStory&
                     const ShowOptions& o) {
     s.window.story_languages = languages_of(active.story);
     s.photos = photos_in_use(package, o.package);
+    std::erase_if(s.photos, [&](std::uint32_t p) { return !package.photos()[p].levels; });
+    s.defaults.photos = s.photos;
     s.photo_list.errors = photo_errors(package);
     const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();
     if (const auto opening = opening_of(active); opening && !view_given) begin_at(s.viewpoint, *opening);

@@ -34,7 +34,7 @@ class WindowEventsTest : public WindowTest {
         return hit ? hit->position : Eigen::Vector3d(0, 0, 0);
     }
     static void step_back(HeadlessWindow& w) {
-        w.session.steering.near_photos = false;
+        w.session.movement.near_photos = false;
         w.point_at({500, 400});
         w.wheel(-10);
     }
@@ -119,7 +119,7 @@ TEST_F(WindowEventsTest, EveryKeyOfTheHelpActs) {
     w.key(GLFW_KEY_TAB);  // F2 and others show the sidebar if it is closed
     toggles(GLFW_KEY_F1, p.help), toggles(GLFW_KEY_F2, p.blending), toggles(GLFW_KEY_F3, p.status);
     toggles(GLFW_KEY_F4, p.photos), toggles(GLFW_KEY_F5, p.frusta), toggles(GLFW_KEY_F6, p.radar);
-    toggles(GLFW_KEY_F7, fields_open(s)), toggles(GLFW_KEY_F8, p.points), toggles(GLFW_KEY_F9, p.image_sets);
+    toggles(GLFW_KEY_F7, p.fields), toggles(GLFW_KEY_F8, p.points), toggles(GLFW_KEY_F9, p.image_sets);
     toggles(GLFW_KEY_F10, p.objects), toggles(GLFW_KEY_F11, s.window.full_screen),
         toggles(GLFW_KEY_F12, p.picture);
     toggles(GLFW_KEY_TAB, p.expert), toggles(GLFW_KEY_M, p.measure), toggles(GLFW_KEY_J, p.story);
@@ -151,7 +151,7 @@ TEST_F(WindowEventsTest, EveryKeyOfTheHelpActs) {
     moves(GLFW_KEY_W, {0, 0, 1}), moves(GLFW_KEY_S, {0, 0, -1});
     moves(GLFW_KEY_E, {0, -1, 0}), moves(GLFW_KEY_Q, {0, 1, 0});
     const double usual = moves(GLFW_KEY_D, {1, 0, 0});
-    s.steering.flying_speed = 2;
+    s.movement.flying_speed = 2;
     EXPECT_NEAR(moves(GLFW_KEY_A, {-1, 0, 0}) / usual, 2, 0.01);
     w.key(GLFW_KEY_H);
     w.wait(1);
@@ -190,7 +190,7 @@ TEST_F(WindowEventsTest, ADragTurnsHalfATurnPerWidthOfTheWindow) {
 
 TEST_F(WindowEventsTest, WhatIsUnderThePointerStaysThere) {
     HeadlessWindow w(package_of(WindowScene::tiny));
-    w.session.steering.near_photos = false;
+    w.session.movement.near_photos = false;
     const Eigen::Vector2d at(430, 300);
     Eigen::Vector3d point = point_at(w, at);
     for (const std::size_t button : {1, 2}) {
@@ -248,13 +248,13 @@ TEST_F(WindowEventsTest, WhatIsLetGoInMotionMovesOn) {
         return elevation(w) - before;
     };
     EXPECT_GT(thrown(), 49) << "degrees in total; 48 of these were dragged";
-    w.session.steering.inertia = false;
+    w.session.movement.inertia = false;
     EXPECT_NEAR(thrown(), 48, 0.5);
 }
 
 TEST_F(WindowEventsTest, FingersOrbitPinchAndTap) {
     HeadlessWindow w(package_of(WindowScene::tiny));
-    w.session.steering.near_photos = false;
+    w.session.movement.near_photos = false;
     w.touch(What::begin, 1, 450, 180), w.touch(What::move, 1, 450, 200), w.frames(2);  // no longer a tap
     const double before = elevation(w);
     for (int i = 1; i <= 6; ++i) w.touch(What::move, 1, 450, 200 + 10 * i), w.frames();

@@ -74,7 +74,7 @@ TEST_F(WindowLanguages, ControlsAreKnownWithoutContexts) {
     for (const char* language : {"en", "de"}) {
         HeadlessWindow w(package_of(WindowScene::tiny), in(language));
         w.resize(1200, 3000);
-        w.key(GLFW_KEY_TAB);
+        w.key(GLFW_KEY_F2);
         EXPECT_TRUE(w.there("Bar Light") && w.there("Light") && w.there("Photos")) << language;
         for (const Controls::Place& p : w.controls.places()) EXPECT_EQ(p.name.find('\4'), p.name.npos);
         w.choose("Light", "raking light");
@@ -95,8 +95,8 @@ TEST_F(WindowLanguages, NumbersHaveTheDecimalSeparatorOfTheLanguage) {
         cut.share = (-1e-5 - w.package().scene().origin[0] - low) / (high - low);  // at -1e-5
         w.session.stereo.mode = StereoMode::checkerboard;
         Panels& p = w.session.window.panels;
-        p.expert = p.picture = p.photo_list = p.cut = p.orthophoto = p.status = p.objects = p.fields =
-            p.points = p.blending = p.measure = true;
+        p.expert = p.picture = p.photo_list = p.blending = p.fields = p.points = p.surveying = p.movement =
+            p.status = p.measure = true;
         w.resize(1200, 4000);
         w.frames(3);
         w.point_at(w.place("Section Status") + Eigen::Vector2d(0, 30)), w.frames(3);  // the curve of frames
@@ -115,7 +115,7 @@ TEST_F(WindowLanguages, NumbersAreTypedWithAPointOrAComma) {
         HeadlessWindow w(package_of(WindowScene::tiny), in(language));
         w.resize(1200, 4000);
         Panels& p = w.session.window.panels;
-        p.expert = p.picture = p.orthophoto = p.blending = true;
+        p.expert = p.surveying = p.movement = true;
         w.frames(3);
         const double& pixel = w.session.orthophoto.pixel;
         w.fill_in("Size of a pixel", "0,05");
@@ -133,11 +133,11 @@ TEST_F(WindowLanguages, NumbersAreTypedWithAPointOrAComma) {
             w.type(typed);
             w.key(GLFW_KEY_ENTER);
             w.frames(8);
-            EXPECT_EQ(w.session.steering.flying_speed, value) << language;
+            EXPECT_EQ(w.session.movement.flying_speed, value) << language;
             EXPECT_FALSE(ImGui::GetIO().WantTextInput) << language;
         }
         w.press("Flying speed", 0.2);
-        EXPECT_LT(w.session.steering.flying_speed, 10) << "a slider again";
+        EXPECT_LT(w.session.movement.flying_speed, 10) << "a slider again";
     }
 }
 

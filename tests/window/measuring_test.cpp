@@ -189,7 +189,7 @@ TEST_F(WindowMeasures, AreTheSameAtAllDepthsOrthographically) {
     HeadlessWindow w(package);
     w.resize(1400, 900);  // the panel is beside the middle
     w.key(GLFW_KEY_TAB);
-    w.session.steering.near_photos = false;
+    w.session.movement.near_photos = false;
     w.choose("View", "From the top");
     w.wait(1);
     w.session.viewpoint.orthographic = true;

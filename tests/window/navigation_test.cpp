@@ -57,9 +57,13 @@ TEST_F(WindowNavigation, KeysOfTheProgramWorkWhileAControlIsMarked) {
     HeadlessWindow w(package_of(WindowScene::tiny));
     w.resize(1200, 3000);
     w.key(GLFW_KEY_TAB);
-    w.press("Section Status");
+    w.press("More Status");
     w.key(GLFW_KEY_DOWN), w.key(GLFW_KEY_UP);
     ASSERT_TRUE(marked(w));
+    for (const bool more : {true, false}) {
+        w.key(GLFW_KEY_ENTER);
+        EXPECT_EQ(w.session.window.panels.movement, more) << "More, above the one that was clicked";
+    }
     w.key(GLFW_KEY_M);
     EXPECT_TRUE(w.session.window.panels.measure);
     const Eigen::Vector3d eye = w.session.viewpoint.camera.eye;
@@ -74,7 +78,7 @@ TEST_F(WindowNavigation, EscLeavesTheMarkedControlFirst) {
     w.resize(1200, 3000);
     w.key(GLFW_KEY_TAB);
     w.key(GLFW_KEY_M);
-    w.press("Section Status");
+    w.press("More Status");
     w.key(GLFW_KEY_DOWN), w.key(GLFW_KEY_UP);
     ASSERT_TRUE(marked(w));
     w.key(GLFW_KEY_ESCAPE);

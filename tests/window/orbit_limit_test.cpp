@@ -14,8 +14,8 @@ class OrbitLimits : public WindowTest {};
 
 TEST_F(OrbitLimits, OrbitsReturnToTheDirectionsOfThePhotos) {
     HeadlessWindow w(package_of(WindowScene::tiny));
-    Steering& steering = w.session.steering;
-    steering.inertia = false;
+    const Steering& steering = w.session.steering;
+    w.session.movement.inertia = false;
     const auto angle = [&] {
         return angle_from_photos(w.package().photos(), w.session.viewpoint.camera.R.row(2).transpose());
     };
@@ -35,7 +35,7 @@ TEST_F(OrbitLimits, OrbitsReturnToTheDirectionsOfThePhotos) {
         return (w.session.viewpoint.camera.eye - w.session.viewpoint.camera.target).norm();
     };
     const double far = zoom_out();
-    steering.near_photos = false;
+    w.session.movement.near_photos = false;
     EXPECT_GT(zoom_out(), 2 * far);
     w.key(GLFW_KEY_H), w.wait(2);
     drag_down();

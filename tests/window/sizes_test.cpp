@@ -2,8 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "base/text/translation.h"
 #include "tests/window/window_test.h"
 
 using namespace vantage;
@@ -16,6 +20,7 @@ std::string misplaced(const HeadlessWindow& w, float width, float height) {
     std::string out;
     std::vector<Controls::Place> checked;
     float side = 0;
+    ImVec2 heading;  // the lower right corner of its text
     for (const Controls::Place& p : w.controls.places()) {
         const bool in_view = p.name.starts_with("Bar ") || p.name == "Photo 1" || p.name == "Photo 2" ||
                              p.name == "File" || p.name == "View" || p.name == "Path" || p.name == "Help";
@@ -29,11 +34,45 @@ std::string misplaced(const HeadlessWindow& w, float width, float height) {
             checked.push_back(p);
         } else if (p.name.starts_with("Section ")) {
             side = p.high.x;
+            heading = ImVec2(p.low.x + ImGui::CalcTextSize(tr(p.name.c_str() + 8)).x, p.high.y);
+        } else if ((p.name.starts_with("Reset ") || p.name.starts_with("More ")) && p.low.x < heading.x &&
+                   p.low.y < heading.y) {
+            out += p.name + " covers the heading; ";
         } else if (side > 0 && !p.name.starts_with("Photo ") && p.high.x > side + 1) {
             out += p.name + " is wider than the sidebar; ";
         }
     }
     return out;
+}
+
+/// Shows all controls of the sidebar, with a Reset in every group.
+void open_all_groups(HeadlessWindow& w) {
+    Panels& p = w.session.window.panels;
+    p.expert = p.picture = p.photo_list = p.blending = p.fields = p.points = p.image_sets = p.objects =
+        p.surveying = p.movement = p.status = true;
+    Session& s = w.session;
+    s.settings.light.wireframe = s.settings.weights.angle_per_photo = true;
+    s.settings.blend = Blend::average;
+    s.settings.show = Show::sources;
+    s.settings.points.size = s.movement.flying_speed = 3;
+    s.settings.image_sets.share = 0.5;
+}
+
+/// The sidebar's controls, without headings.
+std::vector<std::string> controls_of_sidebar(const HeadlessWindow& w) {
+    std::vector<std::string> out;
+    const ImVec2 low = w.find("Section Picture")->low, high = w.find("Section Status")->high;
+    for (const Controls::Place& p : w.controls.places())
+        if (p.low.y > low.y && p.high.x <= high.x && w.find("Bar Home")->low.y > p.high.y &&
+            !p.name.starts_with("Section ") && !p.name.starts_with("More ") && !p.name.starts_with("Photo "))
+            out.push_back(p.name);
+    return out;
+}
+
+void press_every_more(HeadlessWindow& w) {
+    const std::vector<Controls::Place> places = w.controls.places();
+    for (const Controls::Place& p : places)
+        if (p.name.starts_with("More ")) w.press(p.name);
 }
 
 class WindowSizes : public WindowTest {};
@@ -51,6 +90,7 @@ TEST_F(WindowSizes, FitInEveryLanguageAndTextScale) {
             for (const auto& [width, height] :
                  {std::pair{800, 600}, std::pair{600, 1000}, std::pair{1920, 1080}, std::pair{3840, 2160}}) {
                 if (scale > 1.5 && width < 1920) continue;
+                if (width == 800) open_all_groups(w), w.key(GLFW_KEY_TAB);
                 w.resize(width, height);
                 for (const bool expert : {true, false}) {
                     w.key(GLFW_KEY_TAB);
@@ -66,20 +106,21 @@ TEST_F(WindowSizes, FitInEveryLanguageAndTextScale) {
 }
 
 TEST_F(WindowSizes, EverySectionFitsTheSidebar) {
-    for (const WindowScene scene : {WindowScene::garden, WindowScene::image_sets})
+    for (const WindowScene scene : {WindowScene::garden, WindowScene::image_sets, WindowScene::tiny})
         for (const char* language : {"en", "de", "fr"}) {
             ShowOptions options;
             options.window.language = language;
-            HeadlessWindow w(package_of(scene), options);
+            std::vector<SceneObject> objects;
+            if (scene == WindowScene::tiny) objects.assign(2, {"tiny", package_of(scene), {}, true});
+            HeadlessWindow w(package_of(scene), options, objects);
             w.session.settings.field.index = scene == WindowScene::garden ? 0 : -1;
             w.session.settings.light.light = Light::raking;
             w.session.cut.on = true;
-            Panels& p = w.session.window.panels;
-            p.expert = p.photo_list = p.cut = p.orthophoto = p.status = p.objects = p.fields = true;
+            open_all_groups(w);
             w.resize(1200, 4000);
             w.frames(3);
-            EXPECT_TRUE(w.there("Export section") && w.there("Write the orthophoto") &&
-                        w.there("Save scene"));
+            EXPECT_TRUE(w.there("Export section") && w.there("Write the orthophoto"));
+            EXPECT_EQ(w.there("Save scene"), scene == WindowScene::tiny);
             EXPECT_EQ(misplaced(w, 1200, 4000), "") << language;
         }
 }
@@ -111,4 +152,24 @@ TEST_F(WindowSizes, ThePictureDoesNotTintTheBarTheStripAndTheSidebar) {
         ++backgrounds;
     }
     EXPECT_EQ(backgrounds, 3);
+}
+
+TEST_F(WindowSizes, FewControlsAreShownUntilMoreIsPressed) {
+    for (const auto& [scene, few] :
+         {std::pair{WindowScene::tiny, std::vector<std::string>{"Background", "Light", "Show", "Mode",
+                                                                "Measure", "Cut the model"}},
+          std::pair{WindowScene::garden,
+                    std::vector<std::string>{"Background", "Light", "Show", "Mode", "Field", "Points",
+                                             "Measure", "Cut the model"}}}) {
+        HeadlessWindow w(package_of(scene));
+        w.resize(1200, 3000);
+        w.key(GLFW_KEY_TAB);
+        EXPECT_EQ(controls_of_sidebar(w), few);
+        press_every_more(w);
+        const std::vector<std::string> all = controls_of_sidebar(w);
+        EXPECT_GT(all.size(), few.size() + 25);
+        EXPECT_TRUE(w.there("Flying speed") && w.there("tiles")) << "of the movement, of the status";
+        press_every_more(w);
+        EXPECT_EQ(controls_of_sidebar(w), few) << "Less";
+    }
 }

@@ -1,4 +1,7 @@
-// Changes are undone and redone.
+// Changes are reset, undone and redone.
+#include <algorithm>
+#include <array>
+
 #include "player/survey/survey_file.h"
 #include "tests/window/shown_text.h"
 #include "tests/window/window_test.h"
@@ -35,10 +38,7 @@ TEST_F(WindowUndo, GoesBackThroughSettingsCutsMeasurementsAndNotesAndForthAgain)
     const Show& show = w.session.settings.show;
     w.key(GLFW_KEY_V);
     ASSERT_EQ(show, Show::sources);
-    Panels& p = w.session.window.panels;
-    p.expert = p.cut = true;
-    p.picture = p.blending = p.fields = false;
-    w.frames(3);
+    w.key(GLFW_KEY_TAB);
     w.press("Cut the model");
     w.point_at(w.place("Cut at", 0.3));
     w.drag(0, 40, 0);
@@ -91,4 +91,47 @@ TEST_F(WindowUndo, GoesBackThroughSettingsCutsMeasurementsAndNotesAndForthAgain)
     click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
     EXPECT_TRUE(w.there("distance 1")) << "without the point that was undone";
     EXPECT_FALSE(w.there("distance 2"));
+}
+
+TEST_F(WindowUndo, TakesBackTheResetOfAGroupAndOfAll) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    w.resize(1200, 3000);
+    w.key(GLFW_KEY_TAB);
+    EXPECT_FALSE(w.there("Reset Picture") || w.there("Reset all")) << "nothing differs from the defaults";
+    w.press("More Picture"), w.press("More Movement");
+    Session& s = w.session;
+    const bool& wireframe = s.settings.light.wireframe;
+    w.press("Triangles");
+    w.choose("Light", "normals");
+    w.choose("Show", "which photo");
+    EXPECT_TRUE(w.there("Reset Picture") && w.there("Reset Photos") && !w.there("Reset Movement"));
+    w.press("Reset Picture");
+    EXPECT_TRUE(!wireframe && s.settings.light.light == Light::photos);
+    EXPECT_EQ(s.settings.show, Show::sources) << "this belongs to another group";
+    EXPECT_FALSE(w.there("Reset Picture"));
+    w.key(GLFW_KEY_Z, control);
+    EXPECT_TRUE(wireframe && s.settings.light.light == Light::normals);
+
+    w.press("Cut the model"), w.press("Inertia"), w.choose("Mode", "Average");
+    w.choose("Stereo", "checkerboard");
+    s.photos = {1};
+    w.frames(3);
+    const auto changed = [&] {
+        return std::array{wireframe,
+                          s.settings.show == Show::sources,
+                          s.cut.on,
+                          !s.movement.inertia,
+                          s.settings.blend == Blend::average,
+                          s.stereo.mode == StereoMode::checkerboard,
+                          s.photos.size() == 1};
+    };
+    EXPECT_EQ(std::ranges::count(changed(), true), 7);
+    w.press("Reset all");
+    EXPECT_EQ(std::ranges::count(changed(), true), 0);
+    EXPECT_FALSE(w.there("Reset all") || w.there("Reset Surveying"));
+    w.key(GLFW_KEY_Z, control);
+    EXPECT_EQ(std::ranges::count(changed(), true), 7) << "one step";
+    w.press("Reset Surveying");
+    EXPECT_FALSE(s.cut.on);
+    EXPECT_FALSE(s.movement.inertia);
 }

@@ -5,7 +5,7 @@
 
 namespace vantage {
 
-/// Settings for blending: mode, weights, and photos.
-void blending_section(Controls& controls, Session& session, const Renderer& renderer);
+/// The blending mode, and if `more`, weights and the selection of photos.
+void blending_section(Controls& controls, Session& session, const Renderer& renderer, bool more = true);
 
 }  // namespace vantage

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/text/translation.h"
 
@@ -24,9 +25,14 @@ void in_second_column(const char* name) {
     if (end <= column && fits(name, column)) ImGui::SameLine(column);
 }
 
-void behind_the_last(const char* name) {
-    const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
-    if (fits(name, end + ImGui::GetStyle().ItemSpacing.x)) ImGui::SameLine();
+void check_boxes(Controls& c, std::initializer_list<CheckBox> boxes) {
+    bool first = true;
+    for (const CheckBox& box : boxes) {
+        if (!box.applies) continue;
+        if (!std::exchange(first, false)) in_second_column(box.name);
+        c.checkbox(box.name, box.value);
+        c.explain(box.help);
+    }
 }
 
 float width_beside_names() {

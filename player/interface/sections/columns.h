@@ -1,11 +1,23 @@
 #pragma once
+#include <initializer_list>
+
+#include "player/interface/sections/controls.h"
 
 namespace vantage {
 
-/// Places the next control, a check box or radio button with this name, next to the last one: in the second
-/// column, or directly after it. If there is no space, it gets its own line.
+/// Places the next control, a check box with this name, in the second column, next to the last one. If there
+/// is no space, it gets its own line.
 void in_second_column(const char* name);
-void behind_the_last(const char* name);
+
+/// A check box with its tooltip.
+struct CheckBox {
+    const char* name;
+    bool* value;
+    const char* help;
+    bool applies = true;  ///< otherwise it is not shown
+};
+/// Check boxes in two columns.
+void check_boxes(Controls& controls, std::initializer_list<CheckBox> boxes);
 
 /// Width for sliders and drop-down lists with their names on the right, as for ImGui::PushItemWidth().
 float width_beside_names();

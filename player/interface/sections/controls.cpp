@@ -166,8 +166,14 @@ bool Controls::type(const std::string& label, double* value, const char* format)
     return changed;
 }
 
+bool Controls::text(const char* name, std::span<char> value) {
+    const bool changed = ImGui::InputText(name_beside(name).c_str(), value.data(), value.size());
+    note(name);
+    return changed;
+}
+
 bool Controls::number(const char* name, double* value, const char* format) {
-    const bool changed = number_field(shown_name(name), value, format);
+    const bool changed = number_field(name_beside(name), value, format);
     note(name);
     return changed;
 }
@@ -224,10 +230,37 @@ bool Controls::icon_button(const char* name, Icon icon, bool lit, bool with_labe
     return pressed;
 }
 
-void Controls::section(const char* name, bool* open) {
-    ImGui::SetNextItemOpen(*open);
-    *open = ImGui::CollapsingHeader(shown_name(name).c_str());
-    note((std::string("Section ") + name).c_str());
+bool Controls::heading(const char* name, const char* key, bool* more, bool changed) {
+    const ImVec2 padding = ImGui::GetStyle().FramePadding, low = ImGui::GetCursorScreenPos(),
+                 high(low.x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetFrameHeight());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_Header), ImGui::GetStyle().FrameRounding);
+    list.AddText(ImVec2(low.x + padding.x, low.y + padding.y), ImGui::GetColorU32(ImGuiCol_Text), tr(name));
+    note((std::string("Section ") + name).c_str(), low, high);
+    ImGui::Dummy(ImVec2(0, high.y - low.y));
+    float end = high.x;
+    const auto button = [&](const char* recorded, const char* label) {
+        const float width = ImGui::CalcTextSize(tr(label)).x + 2 * padding.x;
+        const bool fits = end - width > low.x + padding.x + ImGui::CalcTextSize(tr(name)).x;
+        end = (fits ? end : high.x) - width;
+        if (fits) ImGui::SameLine();
+        ImGui::SetCursorScreenPos(ImVec2(end, fits ? low.y : ImGui::GetCursorScreenPos().y));
+        const bool pressed = ImGui::Button((std::string(tr(label)) + "###" + recorded).c_str());
+        note((std::string(recorded) + " " + name).c_str());
+        return pressed;
+    };
+    ImGui::PushID(name);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    if (more) {
+        if (button("More", *more ? marked("Less") : marked("More"))) *more = !*more;
+        const std::string text = tr("All controls of this group, or only the main ones");
+        explain((*key ? text + " (" + key + ")" : text).c_str());
+    }
+    const bool resets = changed && button("Reset", marked("Reset"));
+    if (changed) explain("Back to the defaults of this group (Ctrl+Z undoes it)");
+    ImGui::PopStyleColor();
+    ImGui::PopID();
+    return resets;
 }
 
 bool Controls::menu_item(const char* name, const char* key, bool selected) {

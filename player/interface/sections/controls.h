@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,8 @@ class Controls {
     /// A slider that uses the language's decimal separator; Ctrl+click turns it into a number().
     bool slider(const char* name, double* value, double low, double high, const char* format = "%.2f",
                 ImGuiSliderFlags flags = 0);
+    /// A text field.
+    bool text(const char* name, std::span<char> value);
     /// A text field for a number, with a decimal point or a decimal comma.
     bool number(const char* name, double* value, const char* format);
     /// A drop-down list of names that are not translated, such as file names.
@@ -56,8 +59,11 @@ class Controls {
     /// Recorded as "Bar" and the name.
     bool icon_button(const char* name, Icon icon, bool lit, bool with_label);
     static ImVec2 icon_button_size(const char* name, bool with_label);
-    /// The header of a collapsible section. Recorded as "Section" and the name.
-    void section(const char* name, bool* open);
+    /// The heading of a group of controls, recorded as "Section" and the name. Its buttons are recorded in
+    /// the same way: "More", which toggles whether all controls are shown, unless `more` is null, and "Reset"
+    /// if the group's settings were `changed`. `key`: the key that also toggles `more`, or empty. Returns
+    /// whether Reset was pressed.
+    bool heading(const char* name, const char* key, bool* more, bool changed);
     bool menu_item(const char* name, const char* key, bool selected = false);
     /// Whether the menu is open; if so, ImGui::EndMenu() must follow.
     bool menu(const char* name);

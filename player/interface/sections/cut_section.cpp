@@ -116,7 +116,7 @@ void cut_section(Controls& c, Session& s, const PlanScene& scene, const Eigen::V
     Cut& cut = s.cut;
     const bool begins = c.checkbox("Cut the model", &cut.on) && cut.on;
     c.explain("Removes a part of the model and outlines the cut.");
-    ImGui::BeginDisabled(!cut.on);
+    if (!cut.on) return;
     static const char* const by[] = {marked("a plane"), marked("a box")};
     choice(c, "Cut by", cut.by, by);
     c.explain("Removes the part in front of a plane, or outside a box.");
@@ -128,7 +128,6 @@ void cut_section(Controls& c, Session& s, const PlanScene& scene, const Eigen::V
     c.explain(
         "Writes the lines of the cut as a drawing (DXF) next to the package, in the input's "
         "coordinates.");
-    ImGui::EndDisabled();
 }
 
 void CutLines::show(std::span<const PlacedMesh> meshes, std::span<const SectionPlane> planes,

@@ -86,26 +86,31 @@ void range_sliders(Controls& c, const ScalarField& field, FieldSettings& s) {
     const ValueRange whole = field_legend(field, unbounded).range;
     ValueRange range = field_legend(field, s).range;
     const ImGuiSliderFlags flags = s.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
+    const char* const help = marked("Values outside the range have the color at its end.");
     bool changed = c.slider("Lowest", &range.low, whole.low, whole.high, "%.5g", flags);
+    c.explain(help);
     changed |= c.slider("Highest", &range.high, whole.low, whole.high, "%.5g", flags);
+    c.explain(help);
     if (changed && range.low < range.high) s.range = range;
-    ImGui::BeginDisabled(!s.range);
+    if (!s.range) return;
     if (c.button("Whole range")) s.range.reset();
-    ImGui::EndDisabled();
+    c.explain("From the field's lowest to its highest value.");
 }
 
 void field_choice(Controls& c, std::span<const ScalarField> fields, FieldSettings& s) {
     std::vector<const char*> names{tr("none: photos only")};
     for (const ScalarField& field : fields) names.push_back(field.name.c_str());
     int chosen = std::clamp(s.index + 1, 0, int(fields.size()));
-    if (!c.combo("Field", &chosen, names.data(), int(names.size()))) return;
+    const bool changed = c.combo("Field", &chosen, names.data(), int(names.size()));
+    c.explain("Colors the model by values that are stored at its vertices or computed from the photos.");
+    if (!changed) return;
     s.index = chosen - 1;
     s.range.reset();
 }
 
 }  // namespace
 
-void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, const View& view) {
+void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, const View& view, bool more) {
     const std::span<const ScalarField> fields = renderer.resources().fields.all();
     field_choice(c, fields, s);
     if (s.index < 0 || std::size_t(s.index) >= fields.size()) return;
@@ -120,9 +125,11 @@ void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, cons
                 .c_str());
     else
         ImGui::TextDisabled("%s", tr("under the pointer: no value"));
+    if (!more) return;
     static const char* const maps[] = {marked("automatic"), marked("viridis"), marked("magma"),
                                        marked("cividis"), marked("coolwarm")};
     choice(c, "Colors", s.map, maps);
+    c.explain("The color map.");
     c.slider("Over photos", &s.share, 0.0, 1.0);
     c.explain("The mix of the field's colors and the photos.");
     c.slider("Isolines", &s.isolines, 0, 20);

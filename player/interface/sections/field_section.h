@@ -4,8 +4,9 @@
 
 namespace vantage {
 
-/// The choice and display of a scalar field, with its legend and the value under the pointer. The package
-/// must have scalar fields.
-void field_section(Controls& controls, FieldSettings& settings, const Renderer& renderer, const View& view);
+/// The choice of a scalar field, its legend and the value under the pointer; and if `more`, its display. The
+/// package must have scalar fields.
+void field_section(Controls& controls, FieldSettings& settings, const Renderer& renderer, const View& view,
+                   bool more = true);
 
 }  // namespace vantage

@@ -33,6 +33,7 @@ void second_image_set(Controls& c, RenderSettings& settings, const PlanScene& sc
     }
     if (c.combo("Second image set", &chosen, names.data(), int(names.size())))
         b.other = chosen > 0 ? std::optional(image_sets[std::size_t(chosen) - 1]) : std::nullopt;
+    c.explain("Photos that are shown together with the first set.");
     if (!b.other) return;
     static const char* const hows[] = {marked("cross-fade"), marked("beside each other"), marked("divided")};
     static_assert(std::size(hows) == std::size_t(ImageSetView::count));
@@ -41,13 +42,14 @@ void second_image_set(Controls& c, RenderSettings& settings, const PlanScene& sc
         b.how = ImageSetView(how);
         if (b.how != ImageSetView::mix) settings.compare = Compare::nothing;
     }
+    c.explain("Mixes the two sets, shows one beside the other, or divides the picture between them.");
     if (b.how == ImageSetView::mix) c.slider("Share of the second", &b.share, 0.0, 1.0);
     if (b.how == ImageSetView::swipe) c.slider("Divided at", &b.swipe, 0.0, 1.0);
 }
 
 }  // namespace
 
-void image_set_section(Controls& c, RenderSettings& settings, const Renderer& renderer) {
+void image_set_section(Controls& c, RenderSettings& settings, const Renderer& renderer, bool more) {
     const PlanScene& scene = renderer.scene();
     ImageSetSettings& b = settings.image_sets;
     std::vector<std::string> names;
@@ -63,7 +65,7 @@ void image_set_section(Controls& c, RenderSettings& settings, const Renderer& re
     if (c.combo("Image set", &image_set, shown.data(), int(shown.size())))
         show_image_set(b, std::uint32_t(image_set));
     c.explain("The set of photos that is shown (X: the next one).");
-    second_image_set(c, settings, scene);
+    if (more) second_image_set(c, settings, scene);
 }
 
 bool is_shown(const ImageSetSettings& s, const package::PhotoRecord& photo) {

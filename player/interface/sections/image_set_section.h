@@ -4,9 +4,10 @@
 
 namespace vantage {
 
-/// For a package with several image sets, selects one, or two that are mixed, shown side by side or divided
-/// by a swipe.
-void image_set_section(Controls& controls, RenderSettings& settings, const Renderer& renderer);
+/// For a package with several image sets, selects one, and if `more`, a second one, which is mixed with it,
+/// shown beside it or divided from it by a swipe.
+void image_set_section(Controls& controls, RenderSettings& settings, const Renderer& renderer,
+                       bool more = true);
 
 /// Whether a photo belongs to a shown image set.
 bool is_shown(const ImageSetSettings& settings, const package::PhotoRecord& photo);

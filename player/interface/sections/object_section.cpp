@@ -47,11 +47,10 @@ bool opacity_slider(Controls& c, ObjectSet& objects, std::size_t object) {
     return true;
 }
 
-/// Rows of one object. Sets `removed` if the object is to be removed.
+/// The settings of one object. Sets `removed` if the object is to be removed.
 bool object_row(Controls& c, ObjectSet& objects, std::size_t object, double size, bool& removed) {
-    const SceneObject o = objects.at(object);
-    bool shown = o.shown, changed = false;
-    if (c.checkbox(o.name.c_str(), &shown)) objects.show_object(object, shown), changed = true;
+    const SceneObject& o = objects.at(object);
+    bool changed = false;
     bool* open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(of(o, "open", "open").c_str()));
     if (c.button(of(o, tr("Only this"), "Only").c_str())) objects.show_only(object), changed = true;
     if (object > 0) {
@@ -67,15 +66,16 @@ bool object_row(Controls& c, ObjectSet& objects, std::size_t object, double size
 
 }  // namespace
 
-bool object_section(Controls& c, UserCommands& commands, ObjectSet& objects, double size) {
+bool object_section(Controls& c, UserCommands& commands, ObjectSet& objects, double size, bool more) {
     bool changed = false;
     std::size_t remove = 0;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-        bool removed = false;
-        changed |= object_row(c, objects, i, size, removed);
+        bool shown = objects.at(i).shown, removed = false;
+        if (c.checkbox(objects.at(i).name.c_str(), &shown)) objects.show_object(i, shown), changed = true;
+        if (more) changed |= object_row(c, objects, i, size, removed);
         if (removed) remove = i;
     }
-    if (objects.size() == 1) ImGui::TextDisabled("%s", tr("Drop a package on the window to add it."));
+    if (!more) return changed;
     if (c.button("Save scene")) commands.push_back(SaveScene{});
     c.explain("Writes a scene file with these packages and their placement.");
     if (remove > 0) objects.remove(remove), changed = true;

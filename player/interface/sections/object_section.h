@@ -5,9 +5,10 @@
 
 namespace vantage {
 
-/// The list of objects: visibility, placement, adding and removing. `size`: the first object's size, in input
-/// units. Returns whether the picture changed.
-bool object_section(Controls& controls, UserCommands& commands, ObjectSet& objects, double size);
+/// The visibility of several objects; and if `more`, their opacity, placement and removal. `size`: the first
+/// object's size, in input units. Returns whether the picture changed.
+bool object_section(Controls& controls, UserCommands& commands, ObjectSet& objects, double size,
+                    bool more = true);
 
 /// Asks whether to open or add a package that was dropped on the window. `file`: the dropped file, or empty.
 void drop_dialog(Controls& controls, UserCommands& commands, std::string& file);

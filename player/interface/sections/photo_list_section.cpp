@@ -9,6 +9,7 @@
 #include "base/text/localized.h"
 #include "base/text/lower_case.h"
 #include "base/text/translation.h"
+#include "player/interface/sections/choice.h"
 #include "player/interface/sections/columns.h"
 #include "player/interface/sections/image_set_section.h"
 #include "player/survey/ray_cast.h"
@@ -85,6 +86,23 @@ void point_line(const PhotoList& list) {
                     list.showing.size());
 }
 
+void list_controls(Controls& c, const WindowState& window, PhotoList& list) {
+    if (window.keyboard) {
+        c.text("Name contains", list.filter);
+        c.explain("Lists only photos whose names contain this text.");
+    }
+    check_boxes(c, {{marked("Photos at point"), &list.by_point,
+                     marked("Lists the photos that show the point you click on the model, those with the "
+                            "finest pixels first."),
+                     window.keyboard},
+                    {marked("Worst first"), &list.worst_first,
+                     marked("Sorts by the offset of a photo's content from that of the other photos, largest "
+                            "first. Offsets are measured with the input's cameras, before any refinement."),
+                     std::ranges::any_of(list.errors, &std::optional<double>::has_value)}});
+    if (!list.by_point) list.point.reset();
+    point_line(list);
+}
+
 }  // namespace
 
 void use_all(std::vector<std::uint32_t>& photos, const PlanScene& scene) {
@@ -93,31 +111,25 @@ void use_all(std::vector<std::uint32_t>& photos, const PlanScene& scene) {
         if (scene.photos[p].levels) photos.push_back(p);
 }
 
-void photo_list_section(Controls& c, Session& s, const Renderer& renderer, double now) {
+void photo_list_section(Controls& c, Session& s, const Renderer& renderer, double now, bool more) {
     const PlanScene& scene = renderer.scene();
-    PhotoList& list = s.photo_list;
-    if (s.window.keyboard) {
-        ImGui::InputText(shown_name("Name contains").c_str(), list.filter.data(), list.filter.size());
-        c.note("Name contains");
-    }
-    if (s.window.keyboard) {
-        c.checkbox("Photos at point", &list.by_point);
-        c.explain(
-            "Lists the photos that show the point you click on the model, those with the finest pixels "
-            "first.");
-        in_second_column("Worst first");
-    }
-    c.checkbox("Worst first", &list.worst_first);
+    static const char* const shows[] = {marked("photos"), marked("which photo"), marked("how many photos")};
+    choice(c, "Show", s.settings.show, shows);
     c.explain(
-        "Sorts by the offset of a photo's content from that of the other photos, largest first. Offsets are "
-        "measured with the input's cameras, before any refinement.");
-    if (!list.by_point) list.point.reset();
-    point_line(list);
+        "The photos, or false colors: the photo with the largest weight, or the number of blended photos "
+        "that see each point.");
+    if (!more) return;
+    list_controls(c, s.window, s.photo_list);
     const std::vector<std::uint32_t> photos = listed(s, scene);
-    if (c.button("Use only these")) s.photos = photos, std::ranges::sort(s.photos);
-    std::erase_if(s.photos, [&](std::uint32_t p) { return !scene.photos[p].levels; });
-    ImGui::SameLine();
+    if (c.button("Use only these")) {
+        s.photos = photos;
+        std::erase_if(s.photos, [&](std::uint32_t p) { return !scene.photos[p].levels; });
+        std::ranges::sort(s.photos);
+    }
+    c.explain("Excludes the photos that the list does not show.");
+    in_second_column("Use all");
     if (c.button("Use all")) use_all(s.photos, scene);
+    c.explain("Excludes no photo.");
     ImGui::BeginChild("##photos", ImVec2(0, 12 * ImGui::GetFontSize()), true);
     ImGuiListClipper clipper;
     clipper.Begin(int(photos.size()));

@@ -5,9 +5,10 @@
 
 namespace vantage {
 
-/// All photos by name, with usage and coverage; if a point was clicked, only the photos that show it,
-/// sharpest first. Clicking a name flies to its photo.
-void photo_list_section(Controls& controls, Session& session, const Renderer& renderer, double now);
+/// Photos or false colors; and if `more`, all photos by name, with usage and coverage. If a point was
+/// clicked, only the photos that show it, sharpest first. Clicking a name flies to its photo.
+void photo_list_section(Controls& controls, Session& session, const Renderer& renderer, double now,
+                        bool more = true);
 
 /// Replaces `photos` with all photos of the package that have pixels.
 void use_all(std::vector<std::uint32_t>& photos, const PlanScene& scene);

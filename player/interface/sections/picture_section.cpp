@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <optional>
+
 #include "base/text/translation.h"
 #include "player/interface/sections/choice.h"
 #include "player/interface/sections/columns.h"
@@ -10,57 +12,57 @@
 namespace vantage {
 namespace {
 
-/// Shown only if the package's exposures were refined.
-void exposure_controls(Controls& c, Session& s, const Renderer& renderer) {
-    RenderSettings& r = s.settings;
-    const package::SceneRecord& scene = renderer.package().scene();
-    if (!effect_on(scene, Effect::exposure) && !effect_on(scene, Effect::vignetting)) return;
-    c.checkbox("Equal exposure", &r.refined_colors);
-    c.explain("Shows all photos as if they had been exposed alike.");
-    in_second_column("This photo's");
-    bool own = r.exposure.has_value();
-    if (c.checkbox("This photo's", &own)) r.exposure.reset();
-    if (own) r.exposure = s.viewpoint.standing_at;
-    c.explain("Shows the model with the exposure of the photo you flew to last.");
-}
-
-void light_controls(Controls& c, Session& s) {
+void lamp_controls(Controls& c, Session& s) {
     LightSettings& l = s.settings.light;
-    static const char* const lights[] = {marked("the photos' own"), marked("lamp at the viewer"),
-                                         marked("raking light"), marked("normals")};
-    choice(c, MARKED_IN("setting", "Light"), l.light, lights);
-    c.explain("Light on the bare surface shows its shape.");
-    if (l.light == Light::lamp || l.light == Light::raking) {
-        c.checkbox("On the photos", &l.on_photos);
-        c.explain("Applies the light to the photos instead of the bare surface.");
-    }
-    if (l.light != Light::raking) return;
-    if (s.window.keyboard) {
-        in_second_column("Follows pointer");
-        c.checkbox("Follows pointer", &s.lamp_follows);
-        c.explain("The lamp follows the pointer over the picture: low near the edges.");
-    }
+    const bool raking = l.light == Light::raking;
+    check_boxes(c, {{marked("On the photos"), &l.on_photos,
+                     marked("Applies the light to the photos instead of the bare surface."),
+                     raking || l.light == Light::lamp},
+                    {marked("Follows pointer"), &s.lamp_follows,
+                     marked("The lamp follows the pointer over the picture: low near the edges."),
+                     raking && s.window.keyboard}});
+    if (!raking) return;
     if (c.slider("Lamp azimuth", &l.azimuth, 0.0, 360.0, "%.0f°")) s.lamp_follows = false;
     c.explain("0: from the right, 90: from above.");
     if (c.slider("Lamp height", &l.elevation, 1.0, 90.0, "%.0f°")) s.lamp_follows = false;
     c.explain("Over the plane of the picture: the lower, the longer the shadows.");
 }
 
-void comparison_controls(Controls& c, Session& s, const Renderer& renderer) {
+void surface_controls(Controls& c, Session& s, const Renderer& renderer) {
     RenderSettings& r = s.settings;
-    ImGui::BeginDisabled(renderer.scene().photos.empty());
+    if (renderer.scene().has_transparency()) {
+        static const char* const transparent[] = {MARKED_IN("transparency", "exact"),
+                                                  MARKED_IN("transparency", "approximate"),
+                                                  MARKED_IN("transparency", "hidden")};
+        choice(c, "Transparency", r.transparency, transparent);
+        c.explain("Glass: sorted at each pixel, blended by weights (faster), or hidden.");
+    }
+    const package::SceneRecord& scene = renderer.package().scene();
+    const bool refined = effect_on(scene, Effect::exposure) || effect_on(scene, Effect::vignetting);
+    bool own = r.exposure.has_value();
+    check_boxes(c,
+                {{marked("Triangles"), &r.light.wireframe,
+                  marked("Draws the edges of the mesh's triangles over the picture."), !points_only(scene)},
+                 {marked("Equal exposure"), &r.refined_colors,
+                  marked("Shows all photos as if they had been exposed alike."), refined},
+                 {marked("This photo's exposure"), &own,
+                  marked("Shows the model with the exposure of the photo you flew to last."),
+                  refined && r.refined_colors}});
+    if (own != r.exposure.has_value())
+        r.exposure = own ? std::optional(s.viewpoint.standing_at) : std::nullopt;
+}
+
+void comparison_choice(Controls& c, RenderSettings& r) {
     static const char* const compares[] = {MARKED_IN("comparison", "nothing"), marked("side by side"),
                                            marked("swipe"), marked("difference")};
-    choice(c, MARKED_IN("setting", "Compare"), r.compare, compares);
-    ImGui::EndDisabled();
+    if (choice(c, MARKED_IN("setting", "Compare"), r.compare, compares) && r.compare != Compare::nothing)
+        r.image_sets.how = ImageSetView::mix;  // one comparison at a time
     c.explain(
         "Compares the photo you flew to last with the model as blended from the other photos. Drag the line "
         "in the picture.");
-    if (r.compare != Compare::nothing) r.image_sets.how = ImageSetView::mix;  // one comparison at a time
 }
 
-void stereo_controls(Controls& c, Session& s) {
-    StereoSettings& stereo = s.stereo;
+void stereo_controls(Controls& c, StereoSettings& stereo) {
     static const char* const modes[] = {MARKED_IN("stereo", "off"), marked("side by side"),
                                         marked("above each other"), marked("red and cyan glasses"),
                                         marked("checkerboard")};
@@ -75,14 +77,8 @@ void stereo_controls(Controls& c, Session& s) {
 
 }  // namespace
 
-void picture_content(Controls& c, Session& s, const Renderer& renderer) {
+void picture_content(Controls& c, Session& s, const Renderer& renderer, bool more) {
     RenderSettings& r = s.settings;
-    static const char* const shows[] = {marked("photos"), marked("which photo"), marked("how many photos")};
-    choice(c, "Show", r.show, shows);
-    c.explain(
-        "The photos, or false colors: the photo with the largest weight, or the number of blended photos "
-        "that see each point.");
-    exposure_controls(c, s, renderer);
     if (renderer.scene().has_background()) {
         static const char* const background[] = {MARKED_IN("background", "shown"),
                                                  MARKED_IN("background", "dimmed"),
@@ -90,34 +86,31 @@ void picture_content(Controls& c, Session& s, const Renderer& renderer) {
         choice(c, "Background", r.background, background);
         c.explain("The photographed background.");
     }
-    if (renderer.scene().has_transparency()) {
-        static const char* const transparent[] = {MARKED_IN("transparency", "exact"),
-                                                  MARKED_IN("transparency", "approximate"),
-                                                  MARKED_IN("transparency", "hidden")};
-        choice(c, "Transparency", r.transparency, transparent);
-        c.explain("Glass: sorted at each pixel, blended by weights (faster), or hidden.");
-    }
     if (!points_only(renderer.package().scene())) {
-        light_controls(c, s);
-        c.checkbox("Triangles", &r.light.wireframe);
-        c.explain("Draws the edges of the mesh's triangles over the picture.");
+        static const char* const lights[] = {marked("the photos' own"), marked("lamp at the viewer"),
+                                             marked("raking light"), marked("normals")};
+        choice(c, MARKED_IN("setting", "Light"), r.light.light, lights);
+        c.explain("Light on the bare surface shows its shape.");
+        if (more) lamp_controls(c, s);
     }
+    if (more) surface_controls(c, s, renderer);
 }
 
-void picture_section(Controls& c, Session& s, const Renderer& renderer) {
-    picture_content(c, s, renderer);
-    comparison_controls(c, s, renderer);
-    stereo_controls(c, s);
-    c.checkbox("Orthographic", &s.viewpoint.orthographic);
-    c.explain("Without perspective: equal lengths appear equal at any distance.");
-    c.slider("Flying speed", &s.steering.flying_speed, 0.1, 10.0, "%.1f", ImGuiSliderFlags_Logarithmic);
+void picture_section(Controls& c, Session& s, const Renderer& renderer, bool more) {
+    picture_content(c, s, renderer, more);
+    if (!more) return;
+    if (!renderer.scene().photos.empty()) comparison_choice(c, s.settings);
+    if (!s.viewpoint.orthographic && s.settings.compare == Compare::nothing) stereo_controls(c, s.stereo);
+}
+
+void movement_section(Controls& c, MovementSettings& movement) {
+    c.slider("Flying speed", &movement.flying_speed, 0.1, 10.0, "%.1f", ImGuiSliderFlags_Logarithmic);
     c.explain("Speed for the keys W A S D, Q and E. Shift is four times as fast.");
-    c.checkbox("Inertia", &s.steering.inertia);
-    c.explain("If you release a drag while moving, the view glides on for a moment.");
-    c.checkbox("Stay near photos", &s.steering.near_photos);
-    c.explain(
-        "Orbits return to the directions of the photos, and zooming out ends while the model is still "
-        "visible.");
+    check_boxes(c, {{marked("Inertia"), &movement.inertia,
+                     marked("If you release a drag while moving, the view glides on for a moment.")},
+                    {marked("Stay near photos"), &movement.near_photos,
+                     marked("Orbits return to the directions of the photos, and zooming out ends while the "
+                            "model is still visible.")}});
 }
 
 }  // namespace vantage

@@ -5,9 +5,11 @@
 
 namespace vantage {
 
-/// Content of the picture: photos or false colors, exposure, background, glass, light.
-void picture_content(Controls& controls, Session& session, const Renderer& renderer);
-/// The controls of picture_content(), plus display settings: comparison, stereo, projection, flying.
-void picture_section(Controls& controls, Session& session, const Renderer& renderer);
+/// Background and light, and if `more`, the lamp, glass and exposure.
+void picture_content(Controls& controls, Session& session, const Renderer& renderer, bool more = true);
+/// The controls of picture_content(), and if `more`, comparison and stereo.
+void picture_section(Controls& controls, Session& session, const Renderer& renderer, bool more);
+
+void movement_section(Controls& controls, MovementSettings& movement);
 
 }  // namespace vantage

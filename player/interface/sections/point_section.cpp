@@ -36,22 +36,32 @@ void under_pointer(const Renderer& renderer) {
         ImGui::TextDisabled(" ");
 }
 
-void controls(Controls& c, Session& session, const Renderer& renderer) {
+void size_slider(Controls& c, PointSettings& p, double scene_size) {
+    const double most = p.by == PointSize::world ? scene_size / 50 : p.by == PointSize::pixels ? 16 : 4;
+    c.slider("Point size", &p.size, most / 100, most, "%.3g");
+    c.explain("Diameter of a point.");
+}
+
+void controls(Controls& c, Session& session, const Renderer& renderer, bool more) {
     PointSettings& p = session.settings.points;
     const bool only = points_only(renderer.package().scene());
-    if (!only) {
+    if (only) {
+        size_slider(c, p, renderer.scene().size);
+    } else {
         static const char* const shown[] = {MARKED_IN("points", "with the model"),
                                             MARKED_IN("points", "alone"), MARKED_IN("points", "hidden")};
         int choice = !p.show ? 2 : p.alone ? 1 : 0;
         if (c.choice("Points", &choice, shown, int(std::size(shown))))
             p.show = choice < 2, p.alone = choice == 1;
-        if (!p.show) return;
+        c.explain("The point cloud, with the model or without it.");
     }
+    if (!more || !p.show) return;
     if (!renderer.scene().photos.empty()) {
         static const char* const colors[] = {marked("the photos'"), marked("their own")};
         int color = photos_on_points(session.settings, renderer.resources().parts) ? 0 : 1;
         if (c.choice("Colors of points", &color, colors, int(std::size(colors))))
             p.color = color == 0 ? PointColor::photos : PointColor::own;
+        c.explain("The colors of the photos that show a point, or those that are stored with the points.");
     }
     static const char* const sizes[] = {marked("fill gaps"), marked("pixels"), marked("input units")};
     int by = int(p.by);
@@ -59,11 +69,8 @@ void controls(Controls& c, Session& session, const Renderer& renderer) {
         p.by = PointSize(by);
         p.size = p.by == PointSize::world ? renderer.scene().size / 1000 : p.by == PointSize::pixels ? 2 : 1;
     }
-    const double most = p.by == PointSize::world    ? renderer.scene().size / 50
-                        : p.by == PointSize::pixels ? 16
-                                                    : 4;
-    c.slider("Point size", &p.size, most / 100, most, "%.3g");
-    c.explain("Diameter of a point.");
+    c.explain("The spacing of the points, pixels of the picture, or the model's unit.");
+    if (!only) size_slider(c, p, renderer.scene().size);
     c.slider("Eye-dome shading", &p.eye_dome, 0.0, 3.0);
     c.explain("Darkens points behind others, so that edges show.");
     double millions = double(p.budget) / 1e6;
@@ -77,9 +84,9 @@ void controls(Controls& c, Session& session, const Renderer& renderer) {
 
 }  // namespace
 
-void point_section(Controls& c, Session& session, const Renderer& renderer) {
-    controls(c, session, renderer);
-    under_pointer(renderer);
+void point_section(Controls& c, Session& session, const Renderer& renderer, bool more) {
+    controls(c, session, renderer, more);
+    if (more) under_pointer(renderer);
 }
 
 }  // namespace vantage

@@ -5,7 +5,8 @@
 
 namespace vantage {
 
-/// Settings of the point cloud. The package must have a point cloud.
-void point_section(Controls& controls, Session& session, const Renderer& renderer);
+/// Whether points are shown, or their size if there is no mesh; and if `more`, all settings of the point
+/// cloud. The package must have one.
+void point_section(Controls& controls, Session& session, const Renderer& renderer, bool more = true);
 
 }  // namespace vantage

@@ -14,11 +14,10 @@ View shown_view(const Navigation& camera, const Session& s, const PlanScene& sce
     return orthographic(view, distance, std::max(scene.size, distance));
 }
 
-bool& fields_open(Session& s) { return s.measured_fields ? *s.measured_fields : s.window.panels.fields; }
-
 void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record, double now) {
     Viewpoint& v = s.viewpoint;
     v.standing_at = s.settings.compare_photo = photo;
+    if (s.settings.exposure) s.settings.exposure = photo;
     v.orthographic = false;  // photos are in perspective
     start_flight(v, stand_at(record, v.camera.up), now, 0.7);
 }

@@ -11,11 +11,10 @@ namespace vantage {
 /// The visible parts of the interface.
 struct Panels {
     bool bar = true, photos = true, frusta = false, radar = false, help = false;
-    bool expert = false;  ///< the menu bar, and the sidebar with the following sections
-    bool picture = true, photo_list = false, cut = false, orthophoto = false, blending = true, status = false,
-         objects = false;
-    bool fields = true;                       ///< if the package has scalar fields; see fields_open()
-    bool points = true, image_sets = true;    ///< shown only if the package has any
+    bool expert = false;  ///< the menu bar and the sidebar
+    /// The sidebar's groups of which all controls are shown.
+    bool picture = false, photo_list = false, blending = false, fields = false, points = false,
+         image_sets = false, objects = false, surveying = false, movement = false, status = false;
     bool measure = false;                     ///< measuring mode
     bool story = true, story_editor = false;  ///< notes and tours, if there are any; the editor
 };

@@ -90,7 +90,7 @@ void pinch(Session& s, const View& view, const PlanScene& scene) {
 
 /// The movement of the drag, or of its inertia, in this frame. Other movements end the inertia.
 Drags dragged_by(Session& s, bool free, bool held, bool moves_otherwise, double now) {
-    if (moves_otherwise || s.viewpoint.flight || (!s.steering.inertia && !held)) s.steering.glide = {};
+    if (moves_otherwise || s.viewpoint.flight || (!s.movement.inertia && !held)) s.steering.glide = {};
     if (held && !s.steering.glide.held) s.steering.grip.reset();
     return move_on(s.steering.glide, free ? s.window.input.drags : Drags{}, free && held, now);
 }
@@ -149,7 +149,7 @@ void move_by_keys(Session& s) {
     if (!(step.norm() > 0)) return;
     s.viewpoint.flight.reset();
     s.steering.glide = {};
-    step *= (io.KeyShift ? 2.0 : 0.5) * s.steering.flying_speed * std::min(io.DeltaTime, 0.1f);
+    step *= (io.KeyShift ? 2.0 : 0.5) * s.movement.flying_speed * std::min(io.DeltaTime, 0.1f);
     if (s.viewpoint.orthographic) {  // moving forward would have no effect
         approach(s.viewpoint.camera, std::exp(-step.z()));
         step.z() = 0;
@@ -204,7 +204,7 @@ void toggle_panel(Session& s, int number) {
                           {&p.photos},
                           {&p.frusta},
                           {&p.radar},
-                          {&fields_open(s), true},
+                          {&p.fields, true},
                           {&p.points, true},
                           {&p.image_sets, true},
                           {&p.objects, true},

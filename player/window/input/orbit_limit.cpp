@@ -26,7 +26,7 @@ void orbit_near_photos(Session& s, const PlanScene& scene, const Eigen::Vector3d
     Navigation& camera = s.viewpoint.camera;
     const Navigation before = camera;
     orbit_about(camera, pivot, right, down);
-    if (!s.steering.near_photos) return;
+    if (!s.movement.near_photos) return;
     const double was = angle_of(before, scene), is = angle_of(camera, scene);
     if (is > free_angle && is > was) {
         camera = before;
@@ -43,7 +43,7 @@ void return_to_photos(Session& s, double now) {
 
 double farthest_distance(const Session& s, const PlanScene& scene) {
     constexpr double farthest = 30, least_height = 0.2;
-    if (!s.steering.near_photos) return farthest * scene.size;
+    if (!s.movement.near_photos) return farthest * scene.size;
     const double half_height = std::tan(s.viewpoint.camera.fov / 2 * std::numbers::pi / 180);
     return std::min(farthest, 0.5 / (least_height * std::max(half_height, 1e-3))) * scene.size;
 }

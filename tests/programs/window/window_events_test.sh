@@ -42,7 +42,7 @@ quit
 # An orthophoto can be written while the window is in use, and it is identical to the one from the command line.
 start one.vantage --no-saved-settings --size 1200x800
 key Tab
-press "Section Picture"; press "Section Blending"; press "Section Orthophoto"
+press "More Surveying"
 press "Seen from"; press "front"
 press "Write the orthophoto"
 key b

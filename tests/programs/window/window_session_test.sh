@@ -61,6 +61,7 @@ gone "Legend" || fail "Ctrl+Z does not undo a setting"
 key ctrl+shift+z
 there "Legend" || fail "Ctrl+Shift+Z does not redo it"
 key ctrl+z
+xdotool mousemove 600 250  # away from tooltips
 settled again-photos.ppm
 alike photos.ppm again-photos.ppm || fail "the photos are not shown again as they were"
 
@@ -103,7 +104,6 @@ soon soon_small || fail "F11 does not leave full screen: Expert is at $at"
 
 # A package is dropped on the window and added to the scene; others are opened through the dialog. A truncated package does not
 # replace the open one.
-press "Section Picture"; press "Section Blending"  # they leave no space for the section of objects
 /usr/bin/python3 "$source_of_tests/drop_files.py" "$window" two.vantage || fail "the window does not accept files"
 there "Add to the scene" || fail "no question about a dropped package"
 press "Add to the scene"
@@ -116,6 +116,7 @@ opens two.vantage
 press "Bar Help"
 quit
 remembers expert true
+remembers more_objects true
 remembers width 1200
 grep -q "$dir/one.vantage" config/vantage/player.json || fail "the package is not among the recent ones"
 
