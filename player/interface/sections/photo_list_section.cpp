@@ -70,11 +70,13 @@ void row(Controls& c, Session& s, const PlanScene& scene, std::uint32_t photo, d
     if (c.button((name + "##Fly to " + name).c_str())) fly_to(s, photo, p, now);
     ImGui::EndDisabled();
     ImGui::SameLine();
-    ImGui::TextDisabled("%s", remark(s.photo_list, p, photo).c_str());
-    c.explain(
+    const std::string text = remark(s.photo_list, p, photo);
+    ImGui::TextDisabled("%s", text.c_str());
+    const char* const help = marked(
         "The share of the mesh that the photo sees, its exposure relative to the other photos, and the "
         "offset of its content from theirs, in pixels. With Photos at point: the size of a pixel at that "
         "point.");
+    c.explain((text + '\n' + tr(help)).c_str());  // the list may be too narrow for the text
 }
 
 void point_line(const PhotoList& list) {

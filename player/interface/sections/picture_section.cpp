@@ -45,7 +45,7 @@ void surface_controls(Controls& c, Session& s, const Renderer& renderer) {
                   marked("Draws the edges of the mesh's triangles over the picture."), !points_only(scene)},
                  {marked("Equal exposure"), &r.refined_colors,
                   marked("Shows all photos as if they had been exposed alike."), refined},
-                 {marked("This photo's exposure"), &own,
+                 {marked("Like this photo"), &own,
                   marked("Shows the model with the exposure of the photo you flew to last."),
                   refined && r.refined_colors}});
     if (own != r.exposure.has_value())
