@@ -1,5 +1,5 @@
 # Writes one ctest entry for each suite of a test program.
-# Usage: cmake -DPROGRAM=... -DTO=... -DTIMEOUT=... -DSLOWEST=... [-DAT_LENGTH=ON] -P list_suites.cmake
+# Usage: cmake -DPROGRAM=... -DTO=... -DTIMEOUT=... -DSLOWEST=... -DENVIRONMENT=... [-DAT_LENGTH=ON] -P list_suites.cmake
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE failed)
 if(failed)
   file(REMOVE ${PROGRAM})  # so that the next build lists again
@@ -20,6 +20,6 @@ foreach(suite ${suites})
   endif()
   string(APPEND entries "add_test([==[${suite}]==] \"${PROGRAM}\" \"--gtest_filter=${suite}.*\")\n"
     "set_tests_properties([==[${suite}]==] PROPERTIES TIMEOUT ${TIMEOUT} COST ${cost} ${labels}\n"
-    "  ENVIRONMENT \"RC_PARAMS=seed=1;VANTAGE_DEBUG_GL=1;LP_NUM_THREADS=0\")\n")
+    "  ENVIRONMENT \"RC_PARAMS=seed=1;${ENVIRONMENT}\")\n")
 endforeach()
 file(WRITE ${TO} "${entries}")

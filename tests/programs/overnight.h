@@ -33,8 +33,6 @@ class Overnight : public TemporaryFolder {
         spec.photos.samples = 1;
         copy_scene(spec, scene);
         ::setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);
-        ::setenv("MESA_SHADER_CACHE_DIR", fs::temp_directory_path().c_str(),
-                 1);  // shared by all tests
     }
 
     Outcome run(const std::string& words, const std::string& before = "",

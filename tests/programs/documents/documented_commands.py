@@ -31,7 +31,7 @@ FEWEST = 60  # commands in all pages
 DIFFERENT = 10  # exit code of diff
 INTERRUPTED = 8
 # Commands that take more than a few seconds of processor time on a small scene.
-LONG = re.compile(r'--turntable|vantage-player (bench|smoothness)|--panorama|--extent|vantage (align|costs)|synth data/demo|inspect demo|data/hard')
+LONG = re.compile(r'vantage-player (video|orthophoto|evaluate|bench|smoothness)|--panorama|--extent|vantage (align|costs)|synth data/demo|inspect demo|data/hard')
 ERROR = re.compile(r'(?m)^vantage(-player)?: ')
 
 

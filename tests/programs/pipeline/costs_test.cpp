@@ -18,7 +18,9 @@ class CostsProgram : public Overnight {
     const fs::path folder = dir / "costs";
 };
 
-TEST_F(CostsProgram, MeasuresContinuesAndJoinsResults) {
+class CostsProgramAtLength : public CostsProgram {};
+
+TEST_F(CostsProgramAtLength, MeasuresContinuesAndJoinsResults) {
     const Outcome first = costs(scene.string() + " --minutes 0.1");
     ASSERT_EQ(first.code, 0) << first.err;
     EXPECT_NE(first.out.find("for a laptop without a graphics card"), std::string::npos) << first.out;

@@ -135,7 +135,7 @@ TEST_F(SmoothnessOfFlightsAtLength, AbruptChangesAreMeasuredAsLargerSteps) {
     EXPECT_NEAR(replaced, jump, 0.3 * jump) << "the full jump should occur in one frame";
 }
 
-TEST_F(SmoothnessOfFlights, ProgramWritesTheSameTwice) {
+TEST_F(SmoothnessOfFlightsAtLength, ProgramWritesTheSameTwice) {
     make_package();
     const auto run = [&](const std::string& options) {
         const std::string command = std::string(VANTAGE_PLAYER) + " smoothness " + file.string() + " " +

@@ -107,7 +107,7 @@ TEST_F(ContractsAtLength, DamagedPackagesAreFoundByAllThatReadThem) {
                          package::Type::coordinates, package::Type::positions});
 }
 
-TEST_F(Contracts, EveryCameraFileIsAnInput) {
+TEST_F(ContractsAtLength, EveryCameraFileIsAnInput) {
     const std::string explicit_text = "prepare --progress none --mesh " + mesh.string() + " --photos " +
                                       images.string() + " -o " + package() + " --cameras ";
     const auto expect_stale = [&](const std::string& words, const std::string& changed) {

@@ -57,7 +57,7 @@ TEST_F(EvaluateAtLength, ComparesWithThePhotoItselfWhateverTheFormOfTiles) {
         EXPECT_TRUE(truth(EffectChoice::on, level) == truth(EffectChoice::off, level)) << level;
 }
 
-TEST_F(Evaluate, HolesAreWhereTheMeshEndsOrNoOtherPhotoLooks) {
+TEST_F(EvaluateAtLength, HolesAreWhereTheMeshEndsOrNoOtherPhotoLooks) {
     const PhotoEvaluation whole = evaluate_photo(2);
     const auto& positions = scene.mesh.positions;
     std::erase_if(scene.mesh.triangles, [&](const auto& t) {  // the upper floor and the roof

@@ -44,7 +44,6 @@ class HeadsetProgram : public GardenPackage {
     void SetUp() override {
         GardenPackage::SetUp();
         make_package({{Effect::background, EffectChoice::on}});
-        ::setenv("MESA_SHADER_CACHE_DIR", fs::temp_directory_path().c_str(), 1);
     }
     static void expect_valid(const Run& run) {
         EXPECT_EQ(run.code, 0) << run.message;
