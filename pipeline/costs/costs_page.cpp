@@ -15,15 +15,15 @@ td { vertical-align: top; } svg { max-width: 100%; height: auto; } pre { margin:
 )";
 
 constexpr const char* reading =
-    "Photos were held out of preparing, rendered from their cameras, and compared with the originals (PSNR "
-    "after the best gain per channel; 3 dB: half the squared error). Each row of the table changes one "
-    "setting of the defaults; its quality is the mean difference from the defaults on the pixels that both "
-    "color. \"Equal\": the difference is certainly below 0.25 dB. \"Cannot tell\": the interval includes "
-    "zero, so the mean is not proven; it depends on the scan and its photos. Costs are geometric means over "
-    "the scans, "
-    "relative to the defaults. Frames are those of a still view at 1280x720; in motion, the window draws "
-    "smaller "
-    "frames to reach its frame rate.";
+    "Photos were held out of preparing, rendered from their cameras, and compared with the same photos as "
+    "the "
+    "player shows them if they are not held out (PSNR after the best gain per channel; 3 dB: half the "
+    "squared "
+    "error). Each row of the table changes one setting of the defaults; its quality is the mean difference "
+    "from the defaults on the pixels that both color. \"Equal\": the difference is certainly below 0.25 dB. "
+    "\"Cannot tell\": the interval includes zero, so the mean is not proven; it depends on the scan and its "
+    "photos. Costs are geometric means over the scans, relative to the defaults. Frames are those of a still "
+    "view at 1280x720; in motion, the window draws smaller frames to reach its frame rate.";
 
 constexpr const char* legend =
     "Blue: nothing measured on all scans is both cheaper and better. Red rings: the defaults and the "
