@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "player/interface/state/window_state.h"
 #include "player/render/render_settings.h"
 #include "player/view/view.h"
@@ -14,8 +16,20 @@ struct Layout {
 /// `em`: text height in pixels. `photos`: whether the scene has photos for the strip.
 Layout layout_of(const Panels& panels, int width, int height, double em, bool photos);
 
-/// The part of the free area that the picture is fitted to: half of the area's width for side-by-side
-/// comparison.
-Area picture_area(const Layout& layout, Compare compare, int width);
+/// The area that the picture is fitted to. Panels that open or close lie over the picture, which stays as it
+/// is, so that it need not be drawn again. The next flight centers the view in the area that they leave free.
+class PictureArea {
+  public:
+    /// The area in a frame of this size at `now` seconds. `flight_end`: the end of the flight in progress or
+    /// that has just ended, in seconds.
+    Area update(const Layout& layout, Compare compare, FrameSize size, std::optional<double> flight_end,
+                double now);
+
+  private:
+    Area area_;
+    FrameSize size_{};
+    bool side_by_side_ = false;
+    double updated_ = 0;  ///< seconds
+};
 
 }  // namespace vantage

@@ -8,7 +8,7 @@ struct FrameReport {
     std::size_t clusters = 0, photos = 0, passes = 0, draws = 0;
     std::size_t tiles = 0;                   ///< needed
     std::size_t tiles_missing = 0;           ///< needed but not resident; coarser tiles were shown
-    std::size_t tiles_to_come = 0;           ///< missing tiles and thumbnails that fit into memory
+    std::size_t tiles_to_come = 0;           ///< missing tiles that fit into memory
     std::size_t tiles_damaged = 0;           ///< found recently
     std::size_t tiles_absent = 0;            ///< the server recently failed to deliver them
     std::size_t points = 0;                  ///< drawn points of the cloud

@@ -159,7 +159,7 @@ std::size_t PhotoStore::stream(std::size_t budget) {
         left -= !placed;
         if (w.request.resource == Resource::coordinates) given = w.request.chunk->photo;
         ordered_.push_back(w.request);
-        to_come_ += w.urgency != Urgency::prefetch;
+        to_come_ += w.urgency > Urgency::panel;
     }
     stream_.want(ordered_);
     return uploaded;

@@ -58,7 +58,7 @@ class PhotoStore {
     std::size_t stream(std::size_t budget);
     /// Like stream(), but waits for the requests until the budget is used up.
     std::size_t await(std::size_t budget);
-    /// The number of needed resources that are being fetched.
+    /// The number of resources that the picture needs and that are being fetched.
     std::size_t to_come() const { return to_come_; }
     /// Fetches and uploads everything requested since the last call or the start of the frame. Waits. Throws
     /// Error(input) if a server does not deliver the data.

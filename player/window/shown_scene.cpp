@@ -80,7 +80,8 @@ std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
 void ShownScene::frame(int width, int height, double now) {
     Session& s = session_;
     const View view = update(width, height, now);
-    s.settings.points.pick = s.window.panels.expert && s.window.panels.points;
+    s.settings.points.pick =
+        s.window.panels.expert && s.window.panels.points && scene_.renderer.resources().points;
     const RenderSettings shown = shown_settings();
     picture_.begin_frame();
     draw_picture(view, shown, now);
@@ -97,8 +98,9 @@ void ShownScene::frame(int width, int height, double now) {
 void ShownScene::draw_unseen(const View& view, double now) { draw_picture(view, shown_settings(), now); }
 
 void ShownScene::draw_picture(const View& view, const RenderSettings& shown, double now) {
-    if (layout_.strip.height > 0 && strip_.lacks_pictures()) picture_.refine_again();
     picture_.draw(view, shown, now);
+    if (lacks_thumbnails() && !picture_.drawn_at(now))
+        scene_.renderer.planner().tiles().stream_thumbnails(shown.upload_bytes, now);
 }
 
 /// Requests the point of the cloud under the pointer.
@@ -113,12 +115,14 @@ View ShownScene::update(int width, int height, double now) {
     if (kiosk_) attend(*kiosk_, s, s.window.touched, now);
     scene_.attend(s);
     use_clipboard(s, scene_.package(), now);
+    const auto flight_end = end_of_flight(s.viewpoint);
     continue_flight(s.viewpoint, now, picture_.is_final());
     continue_tour(scene_.active, s.viewpoint, now);
     note_view(s.viewpoint, now);
     layout_ = layout_of(s.window.panels, width, height, double(ImGui::GetFontSize()),
                         !scene_.plan().photos.empty());
-    s.window.free = picture_area(layout_, s.settings.compare, width);
+    s.window.free = layout_.free;
+    s.window.picture = picture_area_.update(layout_, s.settings.compare, {width, height}, flight_end, now);
     s.settings.capacity = {width, height};
     choose_projection(now);
     View view = shown_view(s.viewpoint.camera, s, scene_.plan(), width, height);
@@ -253,6 +257,7 @@ double ShownScene::wakes_at() const {
     at = std::min(at, picture_.looks_again_at());
     if (ImGui::GetIO().WantTextInput) at = std::min(at, shown_at_ + blink_seconds);
     if (layout_.strip.height > 0) at = std::min(at, strip_.ranks_at());
+    if (lacks_thumbnails()) at = std::min(at, shown_at_ + 0.05);
     const auto traffic = scene_.package().traffic();
     if (traffic && traffic->bytes_per_second > 0) at = std::min(at, shown_at_ + 1);  // the status panel
     return at;

@@ -50,6 +50,7 @@ class ShownScene {
     void choose_projection(double now);
     RenderSettings shown_settings() const;
     void draw_picture(const View& view, const RenderSettings& shown, double now);
+    bool lacks_thumbnails() const { return layout_.strip.height > 0 && strip_.lacks_pictures(); }
     void pick(const View& view);
     void interface(const View& view, double now);
     void tell(const View& view, double now);
@@ -65,6 +66,7 @@ class ShownScene {
     OpenDialog open_dialog_;
     std::string dropped_;  ///< see drop_dialog()
     Layout layout_;
+    PictureArea picture_area_;
     CutLines cut_lines_;
     StoryEditor story_editor_;
     UndoHistory undo_;

@@ -143,7 +143,7 @@ void WindowPicture::draw_eyes(const RenderSettings& shown, const RenderSettings&
     Session& s = session_;
     const FrameSize size = eye_size(s.stereo.mode, shown.capacity);
     const double distance = (s.viewpoint.camera.target - s.viewpoint.camera.eye).norm();
-    const Area free = free_for_eye(s.stereo.mode, s.window.free, size);
+    const Area free = free_for_eye(s.stereo.mode, s.window.picture, size);
     const View middle =
         scaled(view_of(s.viewpoint.camera, size.width, size.height, free), s.drawn.pace.scale);
     const std::vector<View> eyes = eye_views(middle, s.stereo.eyes, distance);

@@ -28,6 +28,8 @@ class WindowPicture {
 
     /// Whether a picture was drawn.
     bool drawn() const { return drawn_; }
+    /// Whether the frame at `now` seconds was drawn, instead of showing the last picture again.
+    bool drawn_at(double now) const { return drawn_at_ == now; }
     /// The last view drawn, whose frame may be smaller than the window.
     const View& drawn_view() const { return *drawn_view_; }
     /// Whether the picture has all its samples.

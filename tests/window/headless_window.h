@@ -71,6 +71,8 @@ class HeadlessWindow {
     const PlanScene& scene() { return shown_->scene(); }
     const PackageReader& package() const { return package_; }
     const View& view() const { return view_; }
+    /// Whether the drawn picture is final.
+    bool rests() const { return shown_->rests(); }
     double now() const { return now_; }
 
   private:

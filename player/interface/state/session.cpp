@@ -8,7 +8,7 @@
 namespace vantage {
 
 View shown_view(const Navigation& camera, const Session& s, const PlanScene& scene, int width, int height) {
-    const View view = view_of(camera, width, height, s.window.free);
+    const View view = view_of(camera, width, height, s.window.picture);
     const double distance = (camera.target - camera.eye).norm();
     if (!s.viewpoint.orthographic || !(distance > 0)) return view;
     return orthographic(view, distance, std::max(scene.size, distance));

@@ -60,8 +60,8 @@ struct Session : SessionSettings {
     DrawnFrames drawn;
 };
 
-/// The view from a camera, fitted to the free part of a frame of this size. If the session's projection is
-/// orthographic, objects at the distance of the camera's target have the same size as in perspective.
+/// The view from a camera, fitted to the picture's area in a frame of this size. If the session's projection
+/// is orthographic, objects at the distance of the camera's target have the same size as in perspective.
 View shown_view(const Navigation& camera, const Session& session, const PlanScene& scene, int width,
                 int height);
 

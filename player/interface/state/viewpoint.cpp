@@ -56,6 +56,10 @@ void continue_flight(Viewpoint& v, double now, bool final) {
     if (share >= 1) v.flight.reset();
 }
 
+std::optional<double> end_of_flight(const Viewpoint& v) {
+    return v.flight ? std::optional(v.flight->start + v.flight->seconds) : std::nullopt;
+}
+
 void note_view(Viewpoint& v, double now) {
     constexpr double pause = 0.5;  // shortest pause between two movements, in seconds
     constexpr std::size_t most = 100;

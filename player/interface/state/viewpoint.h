@@ -54,6 +54,8 @@ void replay(Viewpoint& viewpoint, const RecordedPath& path, double now);
 /// does not pass until the picture is final, but for at most 15 seconds. `final`: whether the last picture
 /// was.
 void continue_flight(Viewpoint& viewpoint, double now, bool final = true);
+/// The end of the flight in progress, in seconds.
+std::optional<double> end_of_flight(const Viewpoint& viewpoint);
 /// Stores the view from which the camera has just started to move.
 void note_view(Viewpoint& viewpoint, double now);
 

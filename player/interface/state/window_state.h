@@ -29,7 +29,8 @@ struct WindowState {
     /// Language of the window and of stories, such as "de-AT"; empty: English, and the story's default.
     std::string language;
     std::vector<std::string> story_languages;  ///< languages of the shown scene's story
-    Area free;                                 ///< the area without panels, to which the picture is fitted
+    Area free;                                 ///< the area without panels
+    Area picture;                              ///< the area to which the picture is fitted, see PictureArea
 
     UserInput input;                  ///< unhandled input
     std::vector<KeyPress> measuring;  ///< keys that measuring mode handles

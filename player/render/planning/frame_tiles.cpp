@@ -77,9 +77,7 @@ void FrameTiles::stream(const PlannedFrame& frame, std::span<const PlannedPhoto>
     });
     const TileNeeds comparison = comparison_needs(view, settings);
     report.tiles_missing += need_comparison(settings.compare_photo, comparison);
-    for (const std::uint32_t p : wanted_thumbnails_)
-        if (resources_->scene.photos[p].levels) resources_->store.need_thumbnail(p);
-    wanted_thumbnails_.clear();
+    need_thumbnails();
     if (loading == Loading::repeatable) {
         resources_->store.load();
         report.tiles_missing = resources_->store.missing(settings.compare_photo, comparison);
@@ -95,6 +93,18 @@ void FrameTiles::stream(const PlannedFrame& frame, std::span<const PlannedPhoto>
     report.uploaded +=
         loading == Loading::uploading ? resources_->store.await(left) : resources_->store.stream(left);
     report.tiles_to_come += resources_->store.to_come();
+}
+
+void FrameTiles::need_thumbnails() {
+    for (const std::uint32_t p : wanted_thumbnails_)
+        if (resources_->scene.photos[p].levels) resources_->store.need_thumbnail(p);
+    wanted_thumbnails_.clear();
+}
+
+void FrameTiles::stream_thumbnails(std::size_t budget, double now) {
+    resources_->store.begin_frame(now, true);
+    need_thumbnails();
+    resources_->store.stream(budget);
 }
 
 void FrameTiles::make_room(const PlannedFrame& frame, std::uint64_t bytes) {

@@ -19,6 +19,8 @@ class FrameTiles {
 
     /// Requests this photo's thumbnail with the next frame, for panels.
     void want_thumbnail(std::uint32_t photo) { wanted_thumbnails_.push_back(photo); }
+    /// Streams the requested thumbnails between frames, uploading at most `budget` bytes at `now` seconds.
+    void stream_thumbnails(std::size_t budget, double now);
 
     /// Requests the tiles of a frame and, once these are resident, the tiles of `ahead` for later frames.
     /// Uploads data that has arrived. Adds statistics to `report`.
@@ -43,6 +45,7 @@ class FrameTiles {
         return !resources_->photos.per_fragment(settings);
     }
     void need_bases(const PlannedFrame& frame);
+    void need_thumbnails();
     std::size_t need_comparison(std::uint32_t photo, const TileNeeds& needs);
     TileNeeds comparison_needs(const View& view, const RenderSettings& settings) const;
 

@@ -255,7 +255,7 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
         case GLFW_KEY_C: {
             const ImVec2 frame = ImGui::GetIO().DisplaySize;
             return toggle_comparison(
-                s, scene, view_of(s.viewpoint.camera, int(frame.x), int(frame.y), s.window.free), now);
+                s, scene, view_of(s.viewpoint.camera, int(frame.x), int(frame.y), s.window.picture), now);
         }
         case GLFW_KEY_X:
             return show_next_image_set(s.settings.image_sets, scene.image_sets.size());

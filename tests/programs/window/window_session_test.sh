@@ -31,7 +31,7 @@ find_window
 place "Photo 5" >/dev/null || fail "the strip does not show the photos"
 
 # Dragging orbits the model: the picture changes, and it stays when the button is released.
-key ctrl+minus; key ctrl+minus  # as on a standard screen
+key ctrl+minus; key ctrl+minus; key h  # as on a standard screen
 settled before.ppm
 xdotool mousemove 600 250; frames 2
 xdotool mousedown 1; frames 2; xdotool mousemove_relative 80 30; frames 3; xdotool mouseup 1
