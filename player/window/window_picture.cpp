@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "base/gl/context.h"
 #include "base/text/formatted.h"
@@ -12,6 +14,9 @@
 
 namespace vantage {
 namespace {
+
+/// The order of a pixel's samples: each pair of them is centered, so that the picture does not shift.
+constexpr std::array sample_order{0, 3, 1, 2};
 
 /// A frame that takes longer than a thirtieth of a second may upload as much as the frames that it replaces:
 /// this hardly prolongs the frame, and the picture is complete earlier.
@@ -48,6 +53,7 @@ void WindowPicture::draw(const View& view, const RenderSettings& shown, double n
     if (goal_ms_ > 0) enlargement_.fit(shown.capacity);
     const bool still = unchanged(view, shown);
     if (!still) samples_ = 0;
+    if (last_ && frame_size(*last_) != frame_size(view)) full_ms_ = 0;
     draw_sample(view, shown, still, now);
     same_settings_ = shown == last_settings_;
     last_ = view;
@@ -76,13 +82,14 @@ bool WindowPicture::unchanged(const View& view, const RenderSettings& shown) con
 
 /// While the view moves or tiles are missing, draws one sample per pixel, half a level sharper. In motion,
 /// adjusts the pace so that the frame rate meets its goal. Afterward, accumulates the samples of each pixel,
-/// one per frame, and stops when the picture is final.
+/// one per frame, and stops when the picture is final. If full frames are slow, the first of them waits for
+/// its tiles and is already a sample.
 void WindowPicture::draw_sample(const View& view, const RenderSettings& shown, bool still, double now) {
     Session& s = session_;
     if (looks_again() && now > drawn_at_ + look_again_seconds) samples_ = 0;
     if (still && is_final()) return;
     if (!still) changed_at_ = now;
-    if (in_motion(view)) moved_at_ = now;
+    if (in_motion(view, still)) moved_at_ = now;
     // A coarse frame is refined after the motion has ended, not between two mouse movements.
     const bool moves = now < moved_at_ + still_seconds && !holds<SaveScreenshot>(s.window.commands);
     const bool complete = drawn_ && s.drawn.pace == Pace{} && s.drawn.report.settled;
@@ -90,27 +97,25 @@ void WindowPicture::draw_sample(const View& view, const RenderSettings& shown, b
         samples_ = rest_side * rest_side;
         return;
     }
+    const bool waits = drawn_ && !moves && waits_for_tiles();
     s.drawn.pace = moves || !drawn_ ? pacing_.pace : Pace{};
     drawn_at_ = now;
     // The picture stays at rest while tiles arrive: if not all tiles fit, those for motion and those for rest
     // would otherwise evict each other.
-    resting_ = still && !moves && (resting_ || complete);
+    resting_ = !moves && ((still && (resting_ || complete)) || (waits && !lacks_time(now)));
     RenderSettings settings = shown;
     settings.reduced = s.drawn.pace.reduced;
     settings.lod_bias = resting_ ? 0 : -0.5;
-    if (!moves) settings.upload_bytes = upload_of_frame(settings.upload_bytes, frame_ms_);
-    if (!scene_.package().remote()) {
-        if (!drawn_)
-            settings.loading = Loading::beginning;  // the first picture shows photos
-        else if (!moves && frame_ms_ > slow_ms)
-            settings.loading = Loading::uploading;
-    }
+    if (!moves) settings.upload_bytes = upload_of_frame(settings.upload_bytes, full_ms_);
+    if (waits) settings.loading = Loading::uploading;
+    if (!drawn_ && !scene_.package().remote()) settings.loading = Loading::beginning;  // with photos
     const Navigation ahead = before_ ? between(*before_, s.viewpoint.camera, 4) : s.viewpoint.camera;
     before_ = s.viewpoint.camera;
     const View next =
         scaled(shown_view(ahead, s, scene_.plan(), view.intrinsics.width, view.intrinsics.height),
                s.drawn.pace.scale);
-    const PixelSample sample = resting_ ? PixelSample{samples_, rest_side} : PixelSample{};
+    const PixelSample sample =
+        resting_ ? PixelSample{sample_order.at(std::size_t(samples_)), rest_side} : PixelSample{};
     const bool valid_so_far = s.drawn.report.tiles_damaged == 0;
     drawn_view_ = scaled(view, s.drawn.pace.scale);
     // At rest, nothing is prefetched, since that would restart or delay the samples.
@@ -127,6 +132,9 @@ void WindowPicture::draw_sample(const View& view, const RenderSettings& shown, b
     tell_memory(now);
     drawn_ = true;
 }
+
+/// Whether the next full frame waits for tiles, which hardly prolongs it.
+bool WindowPicture::waits_for_tiles() const { return full_ms_ > slow_ms && !scene_.package().remote(); }
 
 /// Stereo is off for orthographic views, which are the same for both eyes, and for comparisons, whose photo
 /// exists only for one eye.
@@ -166,13 +174,13 @@ void WindowPicture::show(const RenderSettings& shown, double now) {
 /// Whether the samples of a picture at rest would keep the CPU busy for too long: with a software renderer on
 /// a large screen, the picture is not refined.
 bool WindowPicture::lacks_time(double now) const {
-    constexpr double samples = 3;  // they take less time than the previous frame, which also loaded tiles
-    return now + samples * frame_ms_ / 1000 > changed_at_ + rest_seconds;
+    constexpr double samples = 3;  // after the first one
+    return now + samples * full_ms_ / 1000 > changed_at_ + rest_seconds;
 }
 
-/// Whether the view differs from the last one, or a control is being dragged.
-bool WindowPicture::in_motion(const View& view) const {
-    const bool dragged = ImGui::IsMouseDragging(0) && ImGui::IsAnyItemActive();
+/// Whether the view differs from the last one, or a control that is being dragged has changed the picture.
+bool WindowPicture::in_motion(const View& view, bool still) const {
+    const bool dragged = !still && ImGui::IsMouseDragging(0) && ImGui::IsAnyItemActive();
     return dragged || (last_ && !same_view(*last_, view));
 }
 
@@ -181,7 +189,10 @@ void WindowPicture::keep_pace() {
     const auto frame = clock_.take();
     if (!frame) return;
     note_time(session_.drawn, frame->ms);
-    frame_ms_ = frame->ms;
+    if (frame->pace == Pace{} || full_ms_ == 0) {
+        const double scale = frame->pace.scale, loading = session_.drawn.report.uploaded > 0 ? 2 : 1;
+        full_ms_ = frame->ms / (scale * scale * loading);
+    }
     if (frame->pace != Pace{} || (pacing_.pace == Pace{} && pacing_.full_frame_ms > 0)) {
         pacing_ = next_pacing(pacing_, frame->pace, frame->ms, goal_ms_);
         return;

@@ -57,7 +57,8 @@ class WindowPicture {
     /// Whether pictures for two eyes are shown.
     bool stereo() const;
     bool lacks_time(double now) const;
-    bool in_motion(const View& view) const;
+    bool in_motion(const View& view, bool still) const;
+    bool waits_for_tiles() const;
     void keep_pace();
     void tell_memory(double now);
 
@@ -67,9 +68,9 @@ class WindowPicture {
     FrameClock clock_;
     Enlargement enlargement_;
     StereoPicture pair_;
-    double goal_ms_;       ///< target for frames in motion; if 0, frames always have full size
-    Pacing pacing_;        ///< pace of frames in motion
-    double frame_ms_ = 0;  ///< duration of the last measured frame
+    double goal_ms_;      ///< target for frames in motion; if 0, frames always have full size
+    Pacing pacing_;       ///< pace of frames in motion
+    double full_ms_ = 0;  ///< estimated duration of a full frame that loads nothing; 0: unknown
     std::optional<View> last_, drawn_view_;
     RenderSettings last_settings_;  ///< settings of the last frame
     StereoSettings last_stereo_;    ///< likewise

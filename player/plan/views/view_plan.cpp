@@ -52,8 +52,8 @@ bool ViewPlan::can_stand() const {
 }
 
 void ViewPlan::fade(const PlanSettings& settings, double now, const std::vector<bool>& ready) {
-    const double step =
-        settings.complete || settings.reduced ? 1 : std::clamp((now - last_) / fade_seconds, 0.0, 1.0);
+    const bool at_once = std::exchange(reduced_, settings.reduced) || settings.reduced || settings.complete;
+    const double step = at_once ? 1 : std::clamp((now - last_) / fade_seconds, 0.0, 1.0);
     last_ = now;
     wanted_.assign(drawn_.size(), false);
     for (const PlannedPhoto& p : plan().photos) wanted_[p.photo] = settings.complete || ready[p.photo];

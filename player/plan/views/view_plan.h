@@ -33,7 +33,7 @@ class ViewPlan {
 
     /// Advances the transition to `now` seconds. After its end, the next transition starts if the `ready`
     /// photos of the plan (one flag per photo) differ from the drawn photos. If no photos were drawn before,
-    /// the ready photos are shown without a transition.
+    /// or if this or the last frame is reduced, the ready photos are shown without a transition.
     void fade(const PlanSettings& settings, double now, const std::vector<bool>& ready);
 
     const ClustersInView& in_view() const { return in_view_; }
@@ -62,6 +62,7 @@ class ViewPlan {
     std::vector<bool> allowed_, planned_, wanted_;  ///< per photo
     std::vector<const PlannedPhoto*> drawn_photos_, before_photos_;  ///< of `made_`
     double progress_ = 1, last_ = 0;                                 ///< `last_` in seconds
+    bool reduced_ = false;                                           ///< the last frame was reduced
 };
 
 }  // namespace vantage

@@ -144,7 +144,10 @@ void FramePlanner::order_plans(PlannedEye& eye) {
         PlanSettings how = plan_settings(image_set.settings, resources_->trials.anisotropy);
         // Photos on points also show parts of the scene beyond the visible triangles.
         const bool on_points = photos_on_points(image_set.settings, resources_->parts);
-        if (complete && !on_points && frame_.sample.index == 0) find_seen(eye, image_set);
+        // A frame that waits for tiles needs those of its own visible triangles.
+        const bool waits =
+            complete || (image_set.settings.loading == Loading::uploading && frame_.eyes.size() == 1);
+        if (waits && !on_points && frame_.sample.index == 0) find_seen(eye, image_set);
         OrderedPlan ordered{image_set.plan};
         if (&eye != &first && !complete) {
             ordered.shares = first.image_sets.at(b).plan;
@@ -171,8 +174,10 @@ void FramePlanner::find_seen(PlannedEye& eye, const ImageSetFrame& image_set) {
     FrameResources& r = *resources_;
     const int side = frame_.sample.side;
     const PlanSettings surface = plan_settings(image_set.settings, r.trials.anisotropy);
-    image_set.plan->order(eye.view, surface, {}, side, eye.readback.seen());
-    image_set.plan->take(nullptr);  // pictures do not depend on previous ones
+    const bool complete = is_complete(image_set.settings.loading);
+    image_set.plan->order(eye.view, surface, complete ? std::span<const std::uint32_t>() : image_set.photos,
+                          side, eye.readback.seen());
+    if (complete) image_set.plan->take(nullptr);  // pictures do not depend on previous ones
     r.surface.draw(drawn_view(r, eye.sampled, image_set, side, suits_coarse(r, eye.sampled, image_set)),
                    r.targets);
     // The range of depths depends on the points, which are not loaded yet.

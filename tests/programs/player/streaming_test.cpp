@@ -14,6 +14,7 @@
 #include "player/options/tiles_not_shown.h"
 #include "player/render/picture.h"
 #include "player/render/renderer.h"
+#include "player/render/timing/pace.h"
 #include "player/view/camera_path.h"
 #include "scene/package/contents/stored_tile.h"
 #include "scene/package/package_reader.h"
@@ -127,6 +128,31 @@ TEST_F(Streaming, UploadBudgetIsKeptAndThePictureConverges) {
     EXPECT_LT(mean_difference(first, exact), 12) << "base levels should show the scene, although blurred";
     EXPECT_GT(mean_difference(first, exact), 0.2);
     EXPECT_LT(mean_difference(last, exact), 0.1);
+}
+
+TEST_F(Streaming, AFullFrameThatWaitsIsCompleteRightAfterReducedFrames) {
+    const PackageReader package(file);
+    const gl::HeadlessContext context(gl::Debug::on);
+    Renderer renderer(package, {});
+    const View view = view_of_photo(package.photos()[2], 0.5);
+    RenderSettings settings = streamed();
+    settings.upload_bytes = std::size_t(1) << 28;
+    settings.reduced = true;
+    settings.loading = Loading::beginning;
+    double now = 0;
+    const auto draw = [&](const View& v, PixelSample sample) {
+        return renderer.draw(v, settings, all(package), sample, now += 0.03);
+    };
+    for (int frame = 0; frame < 3; ++frame) {
+        draw(scaled(view, 0.25), {});
+        settings.loading = Loading::streamed;
+    }
+    settings.reduced = false;
+    settings.loading = Loading::uploading;
+    const FrameReport first = draw(view, {0, 2}), second = draw(view, {3, 2});
+    EXPECT_TRUE(first.settled && second.settled);
+    EXPECT_GT(first.uploaded, 0u);
+    EXPECT_EQ(second.uploaded, 0u) << "the first sample lacked tiles";
 }
 
 TEST_F(Streaming, GraphicsMemoryStaysWithinItsBudget) {
