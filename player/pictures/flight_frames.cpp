@@ -75,7 +75,7 @@ std::vector<Navigation> flight_frames(const PackageReader& package, const ShowOp
     if (o.video.turntable) {
         const std::size_t count =
             frame_count(o.video.seconds > 0 ? o.video.seconds : turn_seconds, o.video.frame_rate);
-        return turntable(turntable_start(package, o, size), int(count), o.video.arc);
+        return turntable(turntable_start(package, o, size), int(count), {-o.video.arc / 2, o.video.arc / 2});
     }
     return frames_along(o.video.tour.empty()
                             ? path_keys(o.pictures.path, package, seconds_per_view)

@@ -2,20 +2,14 @@
 
 #include <algorithm>
 
-#include "player/view/turntable.h"
-
 namespace vantage {
-namespace {
 
-/// A full turn around the target of `home`.
-AttractLoop turn_around(const Navigation& home, double seconds) {
-    constexpr int positions = 720;  // half a degree apart
-    AttractLoop out{turntable(home, positions), {}, seconds};
-    out.positions.push_back(home);
+AttractLoop turn_around(const Navigation& start, double seconds, const Arc& arc) {
+    constexpr int positions = 720;  // at most half a degree apart
+    AttractLoop out{turntable(start, positions, arc), {}, seconds};
+    out.positions.push_back(start);
     return out;
 }
-
-}  // namespace
 
 std::optional<AttractLoop> attract_loop(const Story& story, const Navigation& home, const InputAxes& axes,
                                         const std::string& story_file) {

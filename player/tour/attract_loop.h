@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "player/tour/story_views.h"
+#include "player/view/turntable.h"
 
 namespace vantage {
 
-/// A flight that an idle kiosk repeats, either along a curve or through positions that are evenly spaced in
-/// time.
+/// A flight that an idle kiosk or auto-rotation repeats, either along a curve or through positions that are
+/// evenly spaced in time.
 struct AttractLoop {
     std::vector<Navigation> positions{};
     std::shared_ptr<const CameraSpline> along{};
@@ -18,6 +19,9 @@ struct AttractLoop {
 
     Navigation begin() const { return along ? along->at(0) : positions.front(); }
 };
+
+/// A full turn around the target of `start`, or a swing in an arc.
+AttractLoop turn_around(const Navigation& start, double seconds, const Arc& arc = {});
 
 /// The content that the story has for an idle kiosk whose first view is `home`; nullopt if it has none.
 /// Throws Error(input) naming `story_file` if a stop has no view.

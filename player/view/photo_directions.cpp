@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "base/values/angle_between.h"
 #include "scene/package/package_reader.h"
@@ -15,6 +16,23 @@ double angle_from_photos(std::span<const package::PhotoRecord> photos, const Eig
         if (p.levels > 0)
             closest = std::min(closest, angle_between(cam_from_origin(p).direction(), direction));
     return closest < none ? closest : 0;
+}
+
+Arc arc_near_photos(std::span<const package::PhotoRecord> photos, const Navigation& camera) {
+    constexpr double step = 1, margin = 0.01;  // degrees, radians
+    const auto angle_at = [&](double degrees) {
+        Navigation n = camera;
+        orbit(n, -degrees * std::numbers::pi / 180, 0);
+        return angle_from_photos(photos, n.R.row(2).transpose());
+    };
+    const double most = std::max(free_angle, angle_at(0) + margin);
+    const auto reach = [&](double sign) {
+        double degrees = 0;
+        while (degrees < 360 && angle_at(sign * (degrees + step)) <= most) degrees += step;
+        return degrees;
+    };
+    const double to = reach(1);
+    return to < 360 ? Arc{-reach(-1), to} : Arc{};
 }
 
 }  // namespace vantage

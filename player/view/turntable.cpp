@@ -70,11 +70,13 @@ Navigation framed(const PackageReader& package, double aspect) {
     return {eye, middle, up, view_towards(eye, middle, up, fov, 1, 1).cam_from_origin.R, fov};
 }
 
-std::vector<Navigation> turntable(const Navigation& start, int count, double arc) {
+std::vector<Navigation> turntable(const Navigation& start, int count, const Arc& arc) {
     std::vector<Navigation> out;
+    const double middle = (arc.from + arc.to) / 2, half = (arc.to - arc.from) / 2,
+                 phase = half > 0 ? std::asin(std::clamp(-middle / half, -1.0, 1.0)) : 0;
     for (int i = 0; i < count; ++i) {
         const double share = double(i) / count;
-        const double degrees = arc >= 360 ? 360 * share : arc / 2 * std::sin(2 * pi * share);
+        const double degrees = half >= 180 ? 360 * share : middle + half * std::sin(phase + 2 * pi * share);
         orbit(out.emplace_back(start), -degrees * pi / 180, 0);
     }
     return out;

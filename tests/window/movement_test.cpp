@@ -1,4 +1,5 @@
-// Movements end where there are no photos. Without a movement, a sharp picture stays sharp.
+// Movements and auto-rotation end where there are no photos; tilted views are leveled. Without a movement, a
+// sharp picture stays sharp.
 #include <set>
 
 #include "player/view/photo_directions.h"
@@ -29,6 +30,52 @@ class WindowStillPicture : public WindowTest {
 };
 
 }  // namespace
+
+TEST_F(OrbitLimits, AutoRotationSwingsWithinThePhotosUntilTheFirstInput) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    const Viewpoint& v = w.session.viewpoint;
+    const Eigen::Vector3d start = v.camera.eye, target = v.camera.target;
+    const double distance = (start - target).norm();
+    w.wait(1);
+    EXPECT_EQ(v.camera.eye, start) << "it is off by default";
+    w.key(GLFW_KEY_U);
+    double moved = 0;
+    int turns = 0;
+    Eigen::Vector3d before = v.camera.eye, step = Eigen::Vector3d::Zero();
+    for (int second = 0; second < 150; ++second) {
+        w.wait(1);
+        EXPECT_LE(angle_from_photos(w.package().photos(), v.camera.R.row(2).transpose()), free_angle + 0.01);
+        EXPECT_NEAR((v.camera.eye - target).norm(), distance, 1e-3 * distance);
+        EXPECT_EQ(v.camera.target, target);
+        turns += step.dot(v.camera.eye - before) < 0;
+        step = v.camera.eye - before, before = v.camera.eye;
+        EXPECT_LT(step.norm(), 0.12 * distance) << "no jump";
+        moved = std::max(moved, (v.camera.eye - start).norm());
+    }
+    EXPECT_GT(moved, 0.2 * distance);
+    EXPECT_GE(turns, 2) << "it turns back at both ends";
+    w.point_at({450, 200}), w.frames();
+    EXPECT_TRUE(rotates(v)) << "a movement of the pointer does not stop it";
+    w.click();
+    EXPECT_FALSE(rotates(v));
+    for (const int key : {GLFW_KEY_U, GLFW_KEY_V, GLFW_KEY_ESCAPE}) {
+        w.key(GLFW_KEY_U);
+        EXPECT_TRUE(rotates(v));
+        w.key(key);
+        EXPECT_FALSE(rotates(v));
+    }
+    w.key(GLFW_KEY_U), w.wheel(1);
+    EXPECT_FALSE(rotates(v));
+    w.session.movement.near_photos = false;
+    w.key(GLFW_KEY_TAB), w.choose("View", "Auto-rotate"), w.wait(1);
+    const auto beside = [&] {  // across the axis of the turn
+        const Eigen::Vector3d from = v.camera.eye - v.camera.target, up = v.camera.up;
+        return Eigen::Vector3d(from - from.dot(up) * up);
+    };
+    const Eigen::Vector3d before_turn = beside();
+    w.wait(44);
+    EXPECT_LT((beside() + before_turn).norm(), 0.2 * before_turn.norm()) << "half a turn in 45 seconds";
+}
 
 TEST_F(OrbitLimits, OrbitsReturnToTheDirectionsOfThePhotos) {
     HeadlessWindow w(package_of(WindowScene::tiny));

@@ -4,6 +4,7 @@
 
 #include "base/text/translation.h"
 #include "player/plan/plan_scene.h"
+#include "player/tour/attract_loop.h"
 
 namespace vantage {
 
@@ -20,6 +21,16 @@ void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record,
     if (s.settings.exposure) s.settings.exposure = photo;
     v.orthographic = false;  // photos are in perspective
     start_flight(v, stand_at(record, v.camera.up), now, 0.7);
+}
+
+void toggle_rotation(Session& s, std::span<const package::PhotoRecord> photos, double now) {
+    constexpr double seconds_per_degree = 0.25;
+    Viewpoint& v = s.viewpoint;
+    if (rotates(v)) return v.flight.reset();
+    const Arc arc = s.movement.near_photos ? arc_near_photos(photos, v.camera) : Arc{};
+    const double degrees = arc.to - arc.from, path = degrees < 360 ? 2 * degrees : 360;
+    const AttractLoop loop = turn_around(v.camera, std::max(1.0, path * seconds_per_degree), arc);
+    v.flight = Viewpoint::Flight{loop.positions, now, loop.seconds, {}, true};
 }
 
 void fly_home(Session& s, double now) {

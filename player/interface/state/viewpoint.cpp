@@ -1,6 +1,7 @@
 #include "player/interface/state/viewpoint.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "player/view/camera_path.h"
 
@@ -48,6 +49,8 @@ void continue_flight(Viewpoint& v, double now, bool final) {
         return;
     }
     const auto& stops = v.flight->stops;
+    if (v.flight->repeats)
+        v.flight->start += std::floor((now - v.flight->start) / v.flight->seconds) * v.flight->seconds;
     double share = std::clamp((now - v.flight->start) / v.flight->seconds, 0.0, 1.0);
     if (stops.size() == 2) share = share * share * (3 - 2 * share);  // accelerates and decelerates smoothly
     const double at = share * double(stops.size() - 1);

@@ -20,6 +20,7 @@ struct Viewpoint {
         std::vector<Navigation> stops;
         double start, seconds;
         std::shared_ptr<const CameraSpline> along{};
+        bool repeats = false;                  ///< without end, as for auto-rotation
         double continued = start, waited = 0;  ///< time of the last frame; seconds of waiting at this stop
     };
     std::optional<Flight> flight;
@@ -48,6 +49,8 @@ void begin_at(Viewpoint& viewpoint, const Navigation& camera);
 void start_flight(Viewpoint& viewpoint, const Navigation& to, double now, double seconds);
 /// Starts a flight that covers half of the distance to a point.
 void fly_to_point(Viewpoint& viewpoint, const Eigen::Vector3d& point, double now);
+/// Whether the flight in progress is auto-rotation.
+inline bool rotates(const Viewpoint& viewpoint) { return viewpoint.flight && viewpoint.flight->repeats; }
 /// Starts a flight along the recorded path, at the recorded speed.
 void replay(Viewpoint& viewpoint, const RecordedPath& path, double now);
 /// Moves the camera to its position on the flight in progress. At the stops of a curve, the flight's time

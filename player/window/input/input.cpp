@@ -157,6 +157,17 @@ void move_by_keys(Session& s) {
     fly(s.viewpoint.camera, step * (s.viewpoint.camera.eye - s.viewpoint.camera.target).norm());
 }
 
+/// Auto-rotation ends with the first input, other than the pointer's movements and the use of panels.
+void end_rotation(Session& s) {
+    if (!rotates(s.viewpoint)) return;
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool pressed = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2] || io.MouseWheel != 0,
+               other_key = std::ranges::any_of(s.window.input.keys, [](const KeyPress&p) {
+                   return p.key != GLFW_KEY_U && p.key != GLFW_KEY_ESCAPE;
+               });
+    if ((pressed && !io.WantCaptureMouse) || other_key) s.viewpoint.flight.reset();
+}
+
 template <class Enum>
 void next(Enum& value) {
     value = Enum((int(value) + 1) % int(Enum::count));
@@ -265,6 +276,8 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
             return toggle_recording(s.path);
         case GLFW_KEY_T:
             return replay(s.viewpoint, s.path, now);
+        case GLFW_KEY_U:
+            return toggle_rotation(s, scene.photos, now);
         case GLFW_KEY_M:
             s.window.panels.measure = !s.window.panels.measure;
             return;
@@ -296,6 +309,7 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
 
 void apply_input(Session& session, const PlanScene& scene, double now) {
     using With = KeyPress::With;
+    end_rotation(session);
     move_by_pointer(session, scene, now);
     move_lamp(session);
     for (const KeyPress& p : session.window.input.keys)

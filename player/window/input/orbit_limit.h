@@ -6,10 +6,6 @@
 
 namespace vantage {
 
-/// Angle in radians from the viewing directions of the photos up to which the view orbits freely. Beyond it,
-/// little of the model was photographed.
-inline constexpr double free_angle = 0.35;
-
 /// Turns the camera about a point by angles in radians, as orbit_about() does. If the session stays near the
 /// photos, turning away from them meets a resistance that grows beyond `free_angle` and is complete at twice
 /// that angle.

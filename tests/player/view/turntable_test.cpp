@@ -38,7 +38,7 @@ TEST(Turntable, GoesOnceAroundInEqualStepsAndCloses) {
 }
 
 TEST(Turntable, SwingsToBothSidesOfAnArc) {
-    const std::vector<Navigation> frames = turntable(start(), 100, 90);
+    const std::vector<Navigation> frames = turntable(start(), 100, {-45, 45});
     double low = 0, high = 0;
     for (const Navigation& n : frames) {
         const double a =
