@@ -142,6 +142,46 @@ TEST_F(WindowMeasures, NamesScaleAndTable) {
     written(w, survey_file(), "\"mm\"");
 }
 
+TEST_F(WindowMeasures, AScaleBarIsRightWhereTheViewTurns) {
+    HeadlessWindow w(package, from_photo());
+    w.resize(1400, 900);
+    w.key(GLFW_KEY_M);
+    EXPECT_FALSE(w.there("Drawn scale bar")) << "the unit is unknown";
+    w.choose("Model's unit", "m");
+    const auto expect_right = [&](const char* unit, double unit_length) {
+        const Controls::Place* const bar = w.find("Drawn scale bar");
+        ASSERT_TRUE(bar);
+        const double pixels = double(bar->high.x - bar->low.x);
+        EXPECT_TRUE(pixels > 60 && pixels < 170) << pixels;
+        std::smatch length;
+        const std::string text = shown_text();
+        ASSERT_TRUE(
+            std::regex_search(text, length, std::regex(std::string(" ((1|2|5|0\\.0*[125])0*) ") + unit)))
+            << text;
+        const Navigation& camera = w.session.viewpoint.camera;
+        const Vector3d origin = Eigen::Map<const Vector3d>(w.package().scene().origin),
+                       half = camera.R.row(0) * std::stod(length[1]) * unit_length / 2;
+        const Eigen::Vector2d across =
+            pixel_of(w, camera.target + half + origin) - pixel_of(w, camera.target - half + origin);
+        EXPECT_NEAR(pixels, across.norm(), 0.01 * pixels) << length[0];
+    };
+    expect_right("m", 1);
+    w.choose("Shown in", "cm");
+    expect_right("cm", 0.01);
+    w.point_at({1000, 400}), w.frames();
+    for (int i = 0; i < 8; ++i) w.wheel(1), expect_right("cm", 0.01);
+    w.session.viewpoint.orthographic = true, w.frames();
+    expect_right("cm", 0.01);
+    w.point_at(w.place("Drawn scale bar")), w.frames(3);
+    EXPECT_NE(shown_text().find("the point about which the view turns"), std::string::npos);
+    w.press("Scale bar");
+    EXPECT_FALSE(w.there("Drawn scale bar"));
+    w.press("Scale bar");
+    EXPECT_TRUE(w.there("Drawn scale bar"));
+    w.key(GLFW_KEY_ESCAPE);
+    EXPECT_FALSE(w.there("Drawn scale bar"));
+}
+
 TEST_F(WindowMeasures, AreThereAgainAndADamagedFileIsLeftAlone) {
     {
         HeadlessWindow w(package, from_photo());

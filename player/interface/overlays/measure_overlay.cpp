@@ -84,4 +84,33 @@ void draw_measurement(const Measurement& m, const std::string& label, const View
     draw_label(list, ImVec2(float(at->pixel.x()), float(at->pixel.y())), label, color);
 }
 
+void draw_scale_bar(Controls& c, const ScaleBar& bar, const std::string& label, const Area& area) {
+    const float em = ImGui::GetFontSize();
+    const ImVec2 high(float(area.left + area.width) - 1.5f * em, float(area.top + area.height) - 1.2f * em),
+        low(high.x - float(bar.pixels), high.y - 1.7f * em);
+    const ImVec2 corner(low.x - 0.5f * em, low.y), size(high.x - low.x + em, high.y - low.y + 0.4f * em);
+    ImGui::SetNextWindowPos(corner);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::Begin("##scale bar", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PopStyleVar();
+    ImGui::InvisibleButton("##bar", size);
+    c.explain(
+        "Correct at the distance of the point about which the view turns; nearer parts appear larger, "
+        "farther "
+        "parts smaller.");
+    ImGui::End();
+    c.note("Drawn scale bar", low, high);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled(corner, ImVec2(corner.x + size.x, corner.y + size.y), IM_COL32(15, 18, 22, 215), 4);
+    const float text = ImGui::CalcTextSize(label.c_str()).x, end = 0.5f * em;
+    list.AddText(ImVec2((low.x + high.x - text) / 2, low.y), IM_COL32_WHITE, label.c_str());
+    list.AddRectFilled(ImVec2(low.x, high.y - 2), high, IM_COL32_WHITE);
+    list.AddRectFilled(ImVec2(low.x, high.y - end), ImVec2(low.x + 2, high.y), IM_COL32_WHITE);
+    list.AddRectFilled(ImVec2(high.x - 2, high.y - end), high, IM_COL32_WHITE);
+}
+
 }  // namespace vantage

@@ -4,7 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "player/interface/sections/controls.h"
 #include "player/survey/measurement.h"
+#include "player/survey/scale_bar.h"
 #include "player/view/view.h"
 
 namespace vantage {
@@ -27,5 +29,8 @@ Eigen::Vector3d label_place(Measure measure, const std::vector<Eigen::Vector3d>&
 /// origin of the view's coordinates, in the coordinates of the points. `up`: as for evaluate().
 void draw_measurement(const Measurement& measurement, const std::string& label, const View& view,
                       const Eigen::Vector3d& origin, const Eigen::Vector3d& up, MeasureLook look);
+
+/// Draws a scale bar with this label in the lower right corner of an area.
+void draw_scale_bar(Controls& controls, const ScaleBar& bar, const std::string& label, const Area& area);
 
 }  // namespace vantage

@@ -104,6 +104,7 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
     look_under_pointer(s, meshes, view);
     for (const Drawn& d : drawn())
         draw_measurement(d.measurement, d.label, view, origin_, survey_.up, d.look);
+    if (scale_bar_ && !meshes.empty()) show_scale_bar(c, s, view);
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImVec2(float(s.window.free.left) + em, float(s.window.free.top) + em),
                             ImGuiCond_Appearing);
@@ -117,6 +118,15 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
         ImGui::PopItemWidth();
     }
     ImGui::End();
+}
+
+void MeasurePanel::show_scale_bar(Controls& c, const Session& s, const View& view) const {
+    const double pixels = 8 * double(ImGui::GetFontSize());
+    const auto bar = scale_bar(view, s.viewpoint.camera.target, survey_.scale, pixels);
+    if (!bar) return;
+    const std::string length = localized_numbers(number_text(bar->length)),
+                      unit = tr_in("unit", name_of(shown_unit(survey_.scale)));
+    draw_scale_bar(c, *bar, length + " " + unit, s.window.free);
 }
 
 Snapping MeasurePanel::snapping(const Session& s) const {
@@ -227,7 +237,7 @@ std::vector<MeasurePanel::Drawn> MeasurePanel::drawn() const {
 void MeasurePanel::content(Controls& c, Session& s, double now) {
     choice_of_measure(c, s.window.keyboard);
     under_pointer(c);
-    scale_section(c);
+    scale_section(c, s.window.keyboard);
     list(c);
     selected_section(c, s, now);
     ImGui::BeginDisabled(survey_.measurements.empty());
@@ -267,7 +277,7 @@ void MeasurePanel::under_pointer(Controls& c) const {
     c.explain("Standard uncertainty: the size of a pixel there, in the photo with the finest pixels.");
 }
 
-void MeasurePanel::scale_section(Controls& c) {
+void MeasurePanel::scale_section(Controls& c, bool keyboard) {
     ImGui::Separator();
     Scale& scale = survey_.scale;
     int unit = int(scale.unit), shown = int(shown_unit(scale));
@@ -283,6 +293,7 @@ void MeasurePanel::scale_section(Controls& c) {
         changed();
     }
     ImGui::EndDisabled();
+    if (keyboard && scale.unit != Unit::unknown) c.checkbox("Scale bar", &scale_bar_);
     if (scale.length != 1)
         ImGui::TextDisabled(tr("one unit of the model is %s %s"),
                             localized_numbers(number_text(scale.length)).c_str(),

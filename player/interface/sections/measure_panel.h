@@ -69,7 +69,8 @@ class MeasurePanel {
     void changed();
     void choice_of_measure(Controls& controls, bool keyboard);
     void under_pointer(Controls& controls) const;
-    void scale_section(Controls& controls);
+    void scale_section(Controls& controls, bool keyboard);
+    void show_scale_bar(Controls& controls, const Session& session, const View& view) const;
     void list(Controls& controls);
     void selected_section(Controls& controls, Session& session, double now);
     void select(std::size_t measurement);
@@ -84,7 +85,7 @@ class MeasurePanel {
     bool active_ = false;
     int reads_ = 0;
     Measurement next_{"", Measure::distance, {}};  ///< being measured
-    bool to_vertices_ = false;
+    bool to_vertices_ = false, scale_bar_ = true;
     std::optional<SurveyPoint> under_;
     std::optional<std::size_t> selected_;
     std::array<char, 256> name_{};  ///< name of the selected measurement, as edited
