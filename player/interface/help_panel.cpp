@@ -46,7 +46,7 @@ std::vector<Shortcut> shortcuts() {
             {"V", marked("show photos, which photo, how many photos")},
             {"X", marked("show the next image set"), true},
             blends,
-            {"U", marked("start or stop auto-rotation")},
+            {"L, U", marked("level the view; start or stop auto-rotation")},
             {"R, T", marked("record a path, replay it")},
             {"M", marked("measure")},
             {"J", marked("show or hide notes and tours")},

@@ -18,6 +18,7 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
     };
     if (c.menu_item("Home", "H")) fly_home(s, now);
     side_views_menu(c, s, renderer.package(), now);
+    if (leveled(s.viewpoint.camera) && c.menu_item("Level", "L")) fly_level(s, now);
     if (c.menu_item("Auto-rotate", "U", rotates(s.viewpoint)))
         toggle_rotation(s, renderer.package().photos(), now);
     c.explain(

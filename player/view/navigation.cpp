@@ -11,12 +11,14 @@
 namespace vantage {
 namespace {
 
+constexpr double pole_limit = 87 * std::numbers::pi / 180;  // of the angle above or below the horizon
+
 /// The rotation of the world for the angles `right` and `down`, which stops 3 degrees from the poles.
 Eigen::Matrix3d turn(const Navigation& n, double right, double down) {
     const Eigen::Vector3d x = n.R.row(0), ahead = n.R.row(2);
-    const double above = std::asin(std::clamp(ahead.dot(n.up), -1.0, 1.0)),
-                 limit = 87 * std::numbers::pi / 180;
-    const double reached = std::clamp(above - down, std::min(-limit, above), std::max(limit, above));
+    const double above = std::asin(std::clamp(ahead.dot(n.up), -1.0, 1.0));
+    const double reached =
+        std::clamp(above - down, std::min(-pole_limit, above), std::max(pole_limit, above));
     // Camera y points down, so a positive rotation about x looks up.
     return (Eigen::AngleAxisd(-right, n.up) * Eigen::AngleAxisd(reached - above, x)).toRotationMatrix();
 }
@@ -85,6 +87,15 @@ Navigation first_view(const PackageReader& package, std::uint32_t image_set) {
     if (!((target - eye).norm() > 0)) return home_of(package, photo);
     const View view = view_towards(eye, target, up, scene.first_fov, 1, 1);
     return {eye, target, up, view.cam_from_origin.R, scene.first_fov, scene.first_aspect};
+}
+
+std::optional<Navigation> leveled(const Navigation& n) {
+    constexpr double least = 0.1;  // degrees
+    const double roll = roll_of(n.R, n.up);
+    if (std::abs(roll) < least || std::abs(n.R.row(2).dot(n.up)) > std::sin(pole_limit)) return {};
+    Navigation out = n;
+    out.R = rolled(n.R, -roll);
+    return out;
 }
 
 void look(Navigation& n, double right, double down) {

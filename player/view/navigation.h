@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 
 #include "player/view/view.h"
 #include "scene/package/package_reader.h"
@@ -42,6 +43,9 @@ Navigation first_view(const PackageReader& package, std::uint32_t image_set);
 void orbit(Navigation& n, double right, double down);
 /// Like orbit(), about a point other than the target.
 void orbit_about(Navigation& n, const Eigen::Vector3d& pivot, double right, double down);
+/// The camera with the same direction and the up axis upright. Returns nullopt if that is within 0.1 degrees
+/// of the present roll, or if the camera looks along the up axis.
+std::optional<Navigation> leveled(const Navigation& n);
 /// Turns the camera in place, by the same angles as orbit().
 void look(Navigation& n, double right, double down);
 /// Moves eye and target along the camera's axes (x right, y down, z ahead).

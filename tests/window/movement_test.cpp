@@ -109,6 +109,35 @@ TEST_F(OrbitLimits, OrbitsReturnToTheDirectionsOfThePhotos) {
     EXPECT_GT(angle(), 2 * free_angle);
 }
 
+TEST_F(OrbitLimits, ATiltedViewIsLeveled) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    Navigation& camera = w.session.viewpoint.camera;
+    const auto level_in_menu = [&] {
+        w.press("View");
+        const bool there = w.there("Level");
+        w.press("View");
+        return there;
+    };
+    w.key(GLFW_KEY_TAB);
+    EXPECT_FALSE(level_in_menu()) << "the view has no roll";
+    const Navigation upright = camera;
+    for (const double degrees : {25.0, -140.0}) {
+        camera.R = rolled(upright.R, degrees);
+        w.frames();
+        if (degrees > 0)
+            w.choose("View", "Level");
+        else
+            w.key(GLFW_KEY_L);
+        EXPECT_GT(std::abs(roll_of(camera.R, camera.up)), 0.1) << "it is a flight";
+        w.wait(1);
+        EXPECT_LT((camera.R - upright.R).norm(), 1e-9);
+        EXPECT_EQ(camera.eye, upright.eye);
+        EXPECT_FALSE(level_in_menu());
+        w.key(GLFW_KEY_L);
+        EXPECT_FALSE(w.session.viewpoint.flight) << "there is nothing to level";
+    }
+}
+
 TEST_F(WindowStillPicture, LiesUnderPanels) {
     HeadlessWindow w(package_of(WindowScene::many));
     draw_until_final(w);

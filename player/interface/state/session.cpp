@@ -23,6 +23,10 @@ void fly_to(Session& s, std::uint32_t photo, const package::PhotoRecord& record,
     start_flight(v, stand_at(record, v.camera.up), now, 0.7);
 }
 
+void fly_level(Session& s, double now) {
+    if (const auto level = leveled(s.viewpoint.camera)) start_flight(s.viewpoint, *level, now, 0.4);
+}
+
 void toggle_rotation(Session& s, std::span<const package::PhotoRecord> photos, double now) {
     constexpr double seconds_per_degree = 0.25;
     Viewpoint& v = s.viewpoint;

@@ -70,6 +70,8 @@ View shown_view(const Navigation& camera, const Session& session, const PlanScen
 void fly_to(Session& session, std::uint32_t photo, const package::PhotoRecord& record, double now);
 /// Starts a flight to the view before the last movement.
 void fly_back(Session& session, double now);
+/// Starts a flight that removes the camera's roll, if there is any.
+void fly_level(Session& session, double now);
 /// Starts or stops auto-rotation: the camera turns slowly about its target, back and forth if the session
 /// stays near the photos and they do not surround the target.
 void toggle_rotation(Session& session, std::span<const package::PhotoRecord> photos, double now);

@@ -276,6 +276,8 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
             return toggle_recording(s.path);
         case GLFW_KEY_T:
             return replay(s.viewpoint, s.path, now);
+        case GLFW_KEY_L:
+            return fly_level(s, now);
         case GLFW_KEY_U:
             return toggle_rotation(s, scene.photos, now);
         case GLFW_KEY_M:
