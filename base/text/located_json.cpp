@@ -57,6 +57,10 @@ bool LocatedJson::has(const char* key) const { return value_->contains(key); }
 bool LocatedJson::is_object() const { return value_->is_object(); }
 bool LocatedJson::is_text() const { return value_->is_string(); }
 bool LocatedJson::is_true() const { return value_->is_boolean() && value_->get<bool>(); }
+bool LocatedJson::boolean() const {
+    if (!value_->is_boolean()) fail("true or false");
+    return value_->get<bool>();
+}
 bool LocatedJson::is_null() const { return value_->is_null(); }
 
 std::vector<LocatedJson> LocatedJson::items(std::size_t most) const {

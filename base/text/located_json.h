@@ -39,6 +39,7 @@ class LocatedJson {
     /// Expects a string of at most `most` bytes without control characters; line feeds are permitted if
     /// `lines` is set.
     std::string text(std::size_t most, bool lines = false) const;
+    bool boolean() const;  ///< expects true or false
     /// Expects a finite number within the range.
     double number(double low, double high) const;
     /// Expects an array of three numbers whose magnitudes are at most 1e12.

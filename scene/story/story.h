@@ -60,6 +60,13 @@ struct StoryBackground {
     bool operator==(const StoryBackground&) const = default;
 };
 
+/// Limits of the camera for visitors.
+struct StoryLimits {
+    bool near_photos = true;           ///< orbits and zooming out end where there are no photos
+    std::optional<double> farthest{};  ///< largest distance when zooming out, in input units
+    bool operator==(const StoryLimits&) const = default;
+};
+
 /// The loop that a kiosk shows while idle. Exactly one of `tour`, `stops` and `turn` is set.
 struct StoryAttract {
     double after = 60;   ///< seconds without input
@@ -76,6 +83,7 @@ struct Story {
     StoryText title;
     std::optional<StoryView> opening{};
     std::optional<StoryBackground> background{};
+    StoryLimits limits{};
     std::vector<StoryNote> notes;
     std::vector<StoryTour> tours;
     std::optional<StoryAttract> attract{};

@@ -132,6 +132,14 @@ StoryBackground read_background(const LocatedJson& at) {
     return out;
 }
 
+StoryLimits read_limits(const LocatedJson& at) {
+    at.expect_object({"near_photos", "farthest"});
+    StoryLimits out;
+    if (at.has("near_photos")) out.near_photos = at.at("near_photos").boolean();
+    if (at.has("farthest")) out.farthest = at.at("farthest").number(1e-6, 1e12);
+    return out;
+}
+
 StoryAttract read_attract(const LocatedJson& at) {
     at.expect_object({"after", "tour", "stops", "turn"});
     StoryAttract out;
@@ -153,7 +161,8 @@ void expect_different(const std::vector<Item>& items, const LocatedJson& at) {
 }
 
 Story read_top(const LocatedJson& at) {
-    at.expect_object({"format", "language", "title", "opening", "background", "notes", "tours", "attract"});
+    at.expect_object(
+        {"format", "language", "title", "opening", "background", "limits", "notes", "tours", "attract"});
     if (at.at("format").text(max_title) != story_format)
         at.at("format").fail('"' + std::string(story_format) + '"');
     Story out;
@@ -161,6 +170,7 @@ Story read_top(const LocatedJson& at) {
     if (at.has("title")) out.title = read_text(at.at("title"), max_title, false);
     if (at.has("opening")) out.opening = read_view(at.at("opening"));
     if (at.has("background")) out.background = read_background(at.at("background"));
+    if (at.has("limits")) out.limits = read_limits(at.at("limits"));
     if (at.has("notes")) {
         for (const LocatedJson& note : at.at("notes").items(max_notes)) out.notes.push_back(read_note(note));
         expect_different(out.notes, at.at("notes"));
@@ -227,6 +237,13 @@ ordered_json json_of(const StoryBackground& b) {
     return out;
 }
 
+ordered_json json_of(const StoryLimits& limits) {
+    ordered_json out;
+    if (!limits.near_photos) out["near_photos"] = false;
+    if (limits.farthest) out["farthest"] = *limits.farthest;
+    return out;
+}
+
 ordered_json json_of(const StoryAttract& a) {
     ordered_json out{{"after", a.after}};
     if (!a.tour.empty())
@@ -243,6 +260,7 @@ ordered_json json_of(const Story& story) {
     if (!story.title.empty()) out["title"] = json_of(story.title);
     if (story.opening) out["opening"] = json_of(*story.opening);
     if (story.background) out["background"] = json_of(*story.background);
+    if (story.limits != StoryLimits{}) out["limits"] = json_of(story.limits);
     if (!story.notes.empty()) out["notes"] = ordered_json::array();
     for (const StoryNote& note : story.notes) out["notes"].push_back(json_of(note));
     if (!story.tours.empty()) out["tours"] = ordered_json::array();

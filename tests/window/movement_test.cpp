@@ -1,5 +1,6 @@
 // Movements and auto-rotation end where there are no photos; tilted views are leveled. Without a movement, a
 // sharp picture stays sharp.
+#include <fstream>
 #include <set>
 
 #include "player/view/photo_directions.h"
@@ -107,6 +108,30 @@ TEST_F(OrbitLimits, OrbitsReturnToTheDirectionsOfThePhotos) {
     EXPECT_GT(angle(), 2 * free_angle);
     w.button(0, false), w.wait(2);
     EXPECT_GT(angle(), 2 * free_angle);
+}
+
+TEST_F(OrbitLimits, AStorySetsThem) {
+    const std::filesystem::path package = copy_of(WindowScene::tiny);
+    const auto zoom_out = [&] {
+        HeadlessWindow w(package);
+        const Eigen::Vector2d middle(w.view().intrinsics.cx, w.view().intrinsics.cy);
+        const Eigen::Vector3d point = first_hit(w.scene(), ray_through(w.view(), middle))->position;
+        w.point_at(middle), w.frames();
+        for (int i = 0; i < 60; ++i) w.wheel(-1);
+        EXPECT_EQ(w.session.movement, w.session.defaults.movement);
+        return std::pair((w.session.viewpoint.camera.eye - point).norm(), w.session.movement.near_photos);
+    };
+    const auto [automatic, near] = zoom_out();
+    EXPECT_TRUE(near);
+    const auto told = [&](const std::string& limits) {
+        std::ofstream(dir / "one.story.json")
+            << R"({"format": "vantage-story-1", "limits": )" << limits << "}";
+        return zoom_out();
+    };
+    EXPECT_NEAR(told(R"({"farthest": 20})").first, 20, 0.1);
+    const auto [far, stays] = told(R"({"near_photos": false})");
+    EXPECT_GT(far, 2 * automatic);
+    EXPECT_FALSE(stays);
 }
 
 TEST_F(OrbitLimits, ATiltedViewIsLeveled) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "player/render/render_settings.h"
@@ -31,9 +32,10 @@ struct Cut {
 
 /// Settings for camera control by keys, drags and touch.
 struct MovementSettings {
-    double flying_speed = 1;  ///< speed with the keys, in multiples of the default speed
-    bool inertia = true;      ///< drags released while moving continue
-    bool near_photos = true;  ///< orbits and zooming out end where there are no photos
+    double flying_speed = 1;           ///< speed with the keys, in multiples of the default speed
+    bool inertia = true;               ///< drags released while moving continue
+    bool near_photos = true;           ///< orbits and zooming out end where there are no photos
+    std::optional<double> farthest{};  ///< largest distance when zooming out, in scene units; none: automatic
     bool operator==(const MovementSettings&) const = default;
 };
 

@@ -43,6 +43,7 @@ void return_to_photos(Session& s, double now) {
 
 double farthest_distance(const Session& s, const PlanScene& scene) {
     constexpr double farthest = 30, least_height = 0.2;
+    if (s.movement.farthest) return *s.movement.farthest;
     if (!s.movement.near_photos) return farthest * scene.size;
     const double half_height = std::tan(s.viewpoint.camera.fov / 2 * std::numbers::pi / 180);
     return std::min(farthest, 0.5 / (least_height * std::max(half_height, 1e-3))) * scene.size;

@@ -15,8 +15,8 @@ void orbit_near_photos(Session& session, const PlanScene& scene, const Eigen::Ve
 /// After a drag that went beyond `free_angle`, starts a flight back.
 void return_to_photos(Session& session, double now);
 
-/// The largest distance from the target when zooming out, in scene units: if the session stays near the
-/// photos, that at which the model fills a fifth of the height.
+/// The largest distance when zooming out, in scene units: that of the session or, if it has none and stays
+/// near the photos, that at which the model fills a fifth of the height.
 double farthest_distance(const Session& session, const PlanScene& scene);
 
 }  // namespace vantage
