@@ -43,6 +43,7 @@ void attend(Kiosk& k, Session& s, bool touched, double now) {
         s.window.panels = k.panels;
         s.window.language = k.language;
         s.viewpoint.earlier.views.clear();
+        s.window.commands.push_back(CloseMenus{});
         fly_home(s, now);
     }
     if (k.tour && !s.viewpoint.flight) start_tour(k, s, now);
