@@ -26,7 +26,7 @@ void side_views_menu(Controls& c, Session& s, const PackageReader& package, doub
     for (const auto& [label, plane] : sides) {
         const PicturePlane side = parse_plane(plane, up_of(package.scene()));
         const double angle = angle_from_photos(package.photos(), side.up.cross(side.right));
-        ImGui::BeginDisabled(s.movement.near_photos && angle > most_angle);
+        ImGui::BeginDisabled(s.movement.near_photos && !s.viewpoint.orthographic && angle > most_angle);
         const bool chosen = c.menu_item(label, "");
         ImGui::EndDisabled();
         if (!chosen) continue;
