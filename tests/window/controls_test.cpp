@@ -362,6 +362,11 @@ TEST_F(WindowControls, OfACut) {
     ASSERT_TRUE(cut.on);
     EXPECT_EQ(w.session.settings.sections.size(), 1u);
     chooses(w, "Across", cut.across, {"my view", "x", "y", "z"});
+    w.choose("Across", "x");
+    w.session.viewpoint.camera.up = {0, 0, -1};
+    w.choose("Across", "z");
+    EXPECT_TRUE(cut.other_side) << "z points down: what is in front of the plane is below it";
+    w.press("Other side");
     changes(w, "Cut at", cut.share, 0.2);
     toggles(w, "Other side", cut.other_side);
     chooses(w, "Cut by", cut.by, {"a plane", "a box"});

@@ -59,6 +59,8 @@ void plane_controls(Controls& c, Session& s, const PlanScene& scene, const Eigen
     begins |= cut.across != before;
     if (begins && cut.across == Cut::Across::facing) cut.facing = -s.viewpoint.camera.R.row(2).transpose();
     const Eigen::Vector3d axis = axis_of(cut);
+    if (cut.across != before)  // a horizontal plane removes the top
+        cut.other_side = cut.across != Cut::Across::facing && axis.dot(s.viewpoint.camera.up) < -0.5;
     const auto [low, high] = cut.extents.along(scene, axis);
     const double from = axis.dot(origin);
     share_slider(c, "Cut at", cut.share, from + low, from + high);
