@@ -37,6 +37,11 @@ std::string SurveySaver::take_trouble() {
     return std::exchange(trouble_, {});
 }
 
+bool SurveySaver::failed() const {
+    const std::lock_guard lock(mutex_);
+    return failed_;
+}
+
 bool SurveySaver::busy() const {
     const std::lock_guard lock(mutex_);
     return next_ || writing_ || !trouble_.empty();
@@ -62,6 +67,7 @@ void SurveySaver::write_until(const std::stop_token& stop) {
         lock.lock();
         writing_ = false;
         trouble_ = trouble;
+        failed_ = !trouble.empty();
         exists_ = file_.content.has_value();
         changed_.notify_all();
     }

@@ -23,6 +23,8 @@ class SurveySaver {
     void save(const Survey& survey);
     /// The error of the last write; empty if that write succeeded, or if its error has already been taken.
     std::string take_trouble();
+    /// Whether the last write failed.
+    bool failed() const;
     /// Whether a survey is pending, or whether an error has not been taken.
     bool busy() const;
     /// Whether the file existed when it was last read or written, or is about to be written.
@@ -37,7 +39,7 @@ class SurveySaver {
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::optional<Survey> next_;
-    bool writing_ = false, exists_ = false;
+    bool writing_ = false, exists_ = false, failed_ = false;
     std::string trouble_;
     std::jthread thread_;  ///< declared last, because the thread uses the other members
 };

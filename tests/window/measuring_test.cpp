@@ -133,9 +133,11 @@ TEST_F(WindowMeasures, NamesScaleAndTable) {
     w.choose("Shown in", "cm");
     written(w, survey_file(), "\"cm\"");
     EXPECT_NEAR(value(w, 2), 3.50333 * 3 * 100, 0.2);
+    w.fill_in("Known length", "301.5");
+    w.press("Set scale");
     w.press("Export table");
     const std::string table = written(w, dir / "one-measurements-0001.csv", "polyline");
-    EXPECT_NE(table.find("\"Door\",distance,603"), table.npos) << table;
+    EXPECT_NE(table.find("\"Door\",distance,301.5"), table.npos) << table;
     w.press("polyline 1"), w.press("Delete");
     written_until(w, survey_file(), [&](const std::string&) { return count() == 1; });
     w.choose("Model's unit", "mm");
@@ -203,6 +205,8 @@ TEST_F(WindowMeasures, AreThereAgainAndADamagedFileIsLeftAlone) {
     click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
     w.wait(0.5);
     EXPECT_EQ(slurp(survey_file()), cut);
+    w.frames();
+    EXPECT_NE(shown_text().find("not saved in one.measurements.json"), std::string::npos) << shown_text();
 }
 
 TEST_F(WindowMeasures, AreNamedInTheLanguageOfTheWindow) {
@@ -229,10 +233,9 @@ TEST_F(WindowMeasures, AreTheSameAtAllDepthsOrthographically) {
     HeadlessWindow w(package);
     w.resize(1400, 900);  // the panel is beside the middle
     w.key(GLFW_KEY_TAB);
-    w.session.movement.near_photos = false;
-    w.choose("View", "From the top");
+    w.choose("View", "Orthographic");
+    w.choose("View", "From the top");  // a plan needs no photos from above
     w.wait(1);
-    w.session.viewpoint.orthographic = true;
     w.key(GLFW_KEY_TAB);
     w.key(GLFW_KEY_M);
     std::size_t n = 0;

@@ -244,7 +244,10 @@ void MeasurePanel::content(Controls& c, Session& s, double now) {
     if (c.button("Export table")) s.window.commands.push_back(SaveTable{survey_csv(survey_)});
     ImGui::EndDisabled();
     c.explain("Writes all measurements as a table (CSV) next to the package.");
-    if (file_.exists()) ImGui::TextDisabled(tr("saved in %s"), file_.path().filename().c_str());
+    if (file_.failed())
+        ImGui::TextWrapped(tr("not saved in %s"), file_.path().filename().c_str());
+    else if (file_.exists())
+        ImGui::TextDisabled(tr("saved in %s"), file_.path().filename().c_str());
 }
 
 void MeasurePanel::choice_of_measure(Controls& c, bool keyboard) {
@@ -354,16 +357,20 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
     if (s.window.keyboard && survey_.measurements[at].measure == Measure::distance) {
         c.number("Known length", &known_length_, "%.6f");
         c.explain(
-            "The true length of this distance, in the model's unit, or in meters if that unit is unknown. "
-            "Sets the scale of all measurements.");
+            "The true length of this distance, in the displayed unit, or in meters if the model's unit is "
+            "unknown. Sets the scale of all measurements.");
+        const Unit shown = shown_unit(survey_.scale) == Unit::unknown ? Unit::m : shown_unit(survey_.scale);
+        ImGui::SameLine();
+        ImGui::TextUnformatted(name_of(shown));
         ImGui::SameLine();
         if (c.button("Set scale")) {
             const Measured raw = evaluate(survey_.measurements[at], {}, survey_.up);
             const Unit unit = survey_.scale.unit == Unit::unknown ? Unit::m : survey_.scale.unit;
-            const auto scale =
-                scale_from(raw.value.value_or(0), raw.uncertainty.value_or(0), known_length_, unit);
+            const double known = known_length_ * meters_in(shown) / meters_in(unit);
+            const auto scale = scale_from(raw.value.value_or(0), raw.uncertainty.value_or(0), known, unit);
             if (scale) {
                 survey_.scale = *scale;
+                survey_.scale.shown = shown;
                 changed();
             } else {
                 say(s.message, tr("A scale needs two different points and a length above 0"), now);
