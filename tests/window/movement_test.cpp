@@ -110,6 +110,26 @@ TEST_F(OrbitLimits, OrbitsReturnToTheDirectionsOfThePhotos) {
     EXPECT_GT(angle(), 2 * free_angle);
 }
 
+TEST_F(OrbitLimits, TheModelStaysInThePicture) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    const auto rays_on_mesh = [&] {
+        int hits = 0;
+        for (int x = 20; x < w.view().intrinsics.width; x += 20)
+            for (int y = 20; y < w.view().intrinsics.height; y += 20)
+                hits += first_hit(w.scene(), ray_through(w.view(), {x, y})).has_value();
+        return hits;
+    };
+    const auto pan_away = [&] {
+        for (int i = 0; i < 20; ++i) w.point_at({200, 300}), w.frames(), w.drag(1, 300, 0), w.wait(0.5);
+    };
+    pan_away();
+    EXPECT_GT(rays_on_mesh(), 5);
+    w.key(GLFW_KEY_H), w.wait(2);
+    w.session.movement.near_photos = false;
+    pan_away();
+    EXPECT_EQ(rays_on_mesh(), 0);
+}
+
 TEST_F(OrbitLimits, AStorySetsThem) {
     const std::filesystem::path package = copy_of(WindowScene::tiny);
     const auto zoom_out = [&] {

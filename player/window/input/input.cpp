@@ -63,7 +63,8 @@ void drag(Session& s, const View& view, const PlanScene& scene, const Eigen::Vec
         orbit_near_photos(s, scene, s.steering.grip->pivot, left.right * radians, left.down * radians);
     }
     const double depth = std::abs(depth_in(view, s.steering.grip->pivot));
-    fly(s.viewpoint.camera,
+    pan_near_photos(
+        s, scene, view,
         -depth / focal * Eigen::Vector3d(right.right + middle.right, right.down + middle.down, 0));
 }
 
