@@ -274,7 +274,7 @@ TEST_F(Frames, SmallerOnesAreShownEnlarged) {
     EXPECT_LT(edge_off(half), 12);
 }
 
-TEST_F(Frames, SamplesDrawnAtOnceGiveThePictureOfOneAfterTheOther) {
+TEST_F(FramesAtLength, SamplesDrawnAtOnceGiveThePictureOfOneAfterTheOther) {
     const PackageReader package(file);
     const gl::HeadlessContext context;
     Renderer renderer(package, MemoryBudget{});

@@ -150,7 +150,7 @@ TEST_F(StereoPicturesAtLength, AreTheSameHoweverTheirSurfaceIsDrawn) {
         GTEST_SKIP() << "this driver does not support one pass for both eyes";
 }
 
-TEST_F(StereoPictures, OfAWindowShareTheirPhotosAndUploadEachTileOnce) {
+TEST_F(StereoPicturesAtLength, OfAWindowShareTheirPhotosAndUploadEachTileOnce) {
     const PackageReader package(file);
     const gl::HeadlessContext context;
     const View middle = view_of_photo(package.photos()[2], 0.7);

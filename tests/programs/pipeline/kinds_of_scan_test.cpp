@@ -71,7 +71,7 @@ PrepareSettings small_photos() {
 
 }  // namespace
 
-TEST_F(KindsOfScan, AnObjectThatWasMovedBetweenSeriesIsShownUprightWithoutBackground) {
+TEST_F(KindsOfScanAtLength, AnObjectThatWasMovedBetweenSeriesIsShownUprightWithoutBackground) {
     const Agreement a = prepared(places::moved_object());
     EXPECT_EQ(a.presentation.kind, KindOfScan::object);
     EXPECT_FALSE(a.background.on) << a.background.evidence;

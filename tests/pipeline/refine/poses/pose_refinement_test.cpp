@@ -90,7 +90,7 @@ TEST_F(SyntheticPoseRefinementAtLength, RecoversPerturbedCameras) {
     EXPECT_GT(median(camera_errors(PackageReader(file), given)), 0.4 * pixels);
 }
 
-TEST_F(SyntheticPoseRefinement, AccurateCamerasStayUnchanged) {
+TEST_F(SyntheticPoseRefinementAtLength, AccurateCamerasStayUnchanged) {
     copy_scene(spec(), scene);
     EXPECT_FALSE(pose_refinement(prepare_folder()).decision.on);
     expect_unchanged(truth());

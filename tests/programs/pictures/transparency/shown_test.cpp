@@ -67,7 +67,7 @@ TEST_F(Transparent, AWhollyTransparentMeshIsShownWithNothingBehind) {
     for (std::size_t i = 3; i < over.rgba.size(); i += 4) ASSERT_EQ(over.rgba[i], 255) << "a background";
 }
 
-TEST_F(Transparent, IsLitColoredAndCoveredAsTheModelIs) {
+TEST_F(TransparentAtLength, IsLitColoredAndCoveredAsTheModelIs) {
     ground();
     add_quad({-2, -1, 1}, {4, 0, 0}, {0, 0, 2}, {200, 100, 50, 128});
     VertexField field{"height", {}};

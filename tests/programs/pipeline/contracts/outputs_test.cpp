@@ -11,7 +11,7 @@
 
 using namespace vantage;
 
-TEST_F(Contracts, PhotosOfEqualStemKeepTheirOwnFiles) {
+TEST_F(ContractsAtLength, PhotosOfEqualStemKeepTheirOwnFiles) {
     share_a_stem();
     ASSERT_EQ(prepare_program().code, 0);
     const fs::path files = dir / "files", pictures = dir / "pictures", evaluation = dir / "evaluation";
@@ -141,7 +141,7 @@ TEST_F(Contracts, OtherCommandsReplaceOnlyTheirOwnFiles) {
     expect_refused("diff " + package() + " " + package() + " -o " + page.string(), page / "index.html");
 }
 
-TEST_F(Contracts, PlayerReplacesPicturesButNoInputs) {
+TEST_F(ContractsAtLength, PlayerReplacesPicturesButNoInputs) {
     share_a_stem();  // 0000.png is a photo
     ASSERT_EQ(prepare_program("--hold-out 0002.jpg").code, 0);
     const fs::path text = dir / "notes.png", page = dir / "page", held = dir / "held.png",

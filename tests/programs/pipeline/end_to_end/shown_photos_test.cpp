@@ -164,7 +164,7 @@ TEST_F(EndToEnd, DifferentExposuresAreReconciled) {
                     p.package->photos()[2].gain[c], 0.03);
 }
 
-TEST_F(EndToEnd, PassersByAndHighlightsInSinglePhotosVanish) {
+TEST_F(EndToEndAtLength, PassersByAndHighlightsInSinglePhotosVanish) {
     SynthSpec spec = spec_named("small");
     spec.photos.count = 7;
     spec.photos.arc = 60;

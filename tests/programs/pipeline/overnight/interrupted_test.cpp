@@ -48,7 +48,7 @@ TEST_F(OvernightAtLength, ResumesToTheSameBytesWhenKilledAtRandom) {
     std::printf("%d runs killed; %d of them left a partial package to resume from\n", killed, resumed);
 }
 
-TEST_F(OvernightRuns, ResumesToTheSameBytesWhenKilledAtAWrite) {
+TEST_F(OvernightAtLength, ResumesToTheSameBytesWhenKilledAtAWrite) {
     expect_resumes_after({"pwrite:77:KILL", "fsync:2:KILL_AFTER", "rename:1:KILL"});
 }
 

@@ -82,7 +82,7 @@ TEST_F(EvaluateAtLength, HolesAreWhereTheMeshEndsOrNoOtherPhotoLooks) {
     EXPECT_GT(alone.frame.psnr, 0);
 }
 
-TEST_F(Evaluate, WholeFrameIsThatOfTheWindow) {
+TEST_F(EvaluateAtLength, WholeFrameIsThatOfTheWindow) {
     copy_package(dir / "scene", {}, file);
     const PackageReader package(file);
     const gl::HeadlessContext context(gl::Debug::on);
