@@ -45,6 +45,7 @@ constexpr const char* heading = R"(# Accuracy and cost
 
 This page shows how each setting of both programs affects quality, time and space. `vantage costs SCAN` measures the same on your
 own scan and machine, in three minutes or, with `--full`, as long as it takes; `prepare --explain` and `info` then show the results.
+Half resolution of masks (weight maps), which is not a setting, is not visible on photos ([figures](#approximations-that-are-not-settings)).
 The page is made from `configs/costs.json`, which these commands wrote:
 
     for scan in sceaux fountain-P11 head demo-scene; do vantage costs $scan --minutes 60 -o costs-$scan; done
