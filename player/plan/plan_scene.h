@@ -52,6 +52,9 @@ struct PlanScene {
         std::vector<std::vector<package::CoverageRecord>> coverage;
         std::vector<std::vector<std::uint64_t>> visible;
     } joined;
+    std::span<const package::ClusterRecord> clusters_of_mesh() const {
+        return std::span(clusters).first(std::min<std::size_t>(first_surrounding, clusters.size()));
+    }
     bool has_background() const { return first_surrounding < clusters.size(); }
     /// First triangle of the background; past the last triangle if there is none.
     std::size_t first_triangle_behind() const {

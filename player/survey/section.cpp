@@ -27,8 +27,7 @@ void cut(const std::array<Eigen::Vector3d, 3>& corner, const SectionPlane& plane
 void cut_mesh(const PlacedMesh& m, const SectionPlane& of_scene, std::vector<SectionLine>& out) {
     const PlanScene& scene = *m.scene;
     const SectionPlane plane = plane_in(of_scene, m.R, m.t, m.scale);
-    const std::size_t clusters = std::min<std::size_t>(scene.first_surrounding, scene.clusters.size());
-    for (const package::ClusterRecord& c : std::span(scene.clusters).first(clusters)) {
+    for (const package::ClusterRecord& c : scene.clusters_of_mesh()) {
         const Eigen::Vector3d center(c.center[0], c.center[1], c.center[2]);
         if (!(std::abs(plane.before(center)) <= double(c.radius) * (1 + 1e-5))) continue;
         for (std::uint32_t t = c.first_triangle; t < c.first_triangle + c.triangles; ++t) {

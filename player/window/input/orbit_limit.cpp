@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 
 #include "player/view/photo_directions.h"
 
@@ -14,17 +13,11 @@ double angle_of(const Navigation& n, const PlanScene& scene) {
     return angle_from_photos(scene.photos, n.R.row(2).transpose());
 }
 
-/// The clusters of the mesh, without the background.
-std::span<const package::ClusterRecord> clusters_of_mesh(const PlanScene& scene) {
-    return std::span(scene.clusters)
-        .first(std::min<std::size_t>(scene.first_surrounding, scene.clusters.size()));
-}
-
 /// Whether a part of the mesh is in the picture, apart from its margins.
 bool shows_mesh(const View& view, const PlanScene& scene) {
     constexpr double inner = 0.8;
     const Intrinsics& k = view.intrinsics;
-    return std::ranges::any_of(clusters_of_mesh(scene), [&](const package::ClusterRecord& c) {
+    return std::ranges::any_of(scene.clusters_of_mesh(), [&](const package::ClusterRecord& c) {
         const Eigen::Vector3d p =
             view.cam_from_origin.R * Eigen::Map<const Eigen::Vector3f>(c.center).cast<double>() +
             view.cam_from_origin.t;
@@ -32,16 +25,6 @@ bool shows_mesh(const View& view, const PlanScene& scene) {
         return p.z() > 0 && k.fx * std::abs(p.x()) < inner * depth * k.width / 2 &&
                k.fy * std::abs(p.y()) < inner * depth * k.height / 2;
     });
-}
-
-/// The extent of the mesh along `up`.
-double height_of_mesh(const PlanScene& scene, const Eigen::Vector3d& up) {
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (const package::ClusterRecord& c : clusters_of_mesh(scene)) {
-        const double at = up.dot(Eigen::Map<const Eigen::Vector3f>(c.center).cast<double>());
-        low = std::min(low, at - double(c.radius)), high = std::max(high, at + double(c.radius));
-    }
-    return std::max(0.0, high - low);
 }
 
 /// The fraction of a turn away from the photos that is made.
@@ -73,20 +56,21 @@ void return_to_photos(Session& s, double now) {
 }
 
 void pan_near_photos(Session& s, const PlanScene& scene, const View& view, const Eigen::Vector3d& by) {
+    if (by.isZero()) return;
     Navigation& camera = s.viewpoint.camera;
     const Navigation before = camera;
     fly(camera, by);
-    if (!s.movement.near_photos || !shows_mesh(view, scene)) return;
-    if (!shows_mesh(shown_view(camera, s, scene, view.intrinsics.width, view.intrinsics.height), scene))
-        camera = before;
+    const View panned = shown_view(camera, s, scene, view.intrinsics.width, view.intrinsics.height);
+    if (s.movement.near_photos && !shows_mesh(panned, scene) && shows_mesh(view, scene)) camera = before;
 }
 
-double farthest_distance(const Session& s, const PlanScene& scene) {
+double farthest_distance(Session& s, const PlanScene& scene) {
     constexpr double farthest = 30, least_height = 0.2;
     if (s.movement.farthest) return *s.movement.farthest;
     if (!s.movement.near_photos) return farthest * scene.size;
     const double half_height = std::tan(s.viewpoint.camera.fov / 2 * std::numbers::pi / 180);
-    const double height = std::max(height_of_mesh(scene, s.viewpoint.camera.up), scene.size / 4);
+    const auto [low, high] = s.cut.extents.along(scene, s.viewpoint.camera.up);
+    const double height = std::max(high - low, scene.size / 4);
     return std::min(farthest * scene.size, 0.5 * height / (least_height * std::max(half_height, 1e-3)));
 }
 

@@ -20,8 +20,8 @@ void pan_near_photos(Session& session, const PlanScene& scene, const View& view,
 void return_to_photos(Session& session, double now);
 
 /// The largest distance when zooming out, in scene units: that of the session or, if it has none and stays
-/// near the photos, that at which the mesh fills a fifth of the
-/// height, or if it is flat, that at which a quarter of its diagonal does.
-double farthest_distance(const Session& session, const PlanScene& scene);
+/// near the photos, that at which the mesh fills a fifth of the height. For a flat mesh, a quarter of its
+/// diagonal counts as its height.
+double farthest_distance(Session& session, const PlanScene& scene);
 
 }  // namespace vantage
