@@ -76,10 +76,9 @@ void UndoHistory::move(Session& s, ActiveStory& active, MeasurePanel& measure, b
         measure.restore(s, back ? survey->after : survey->before, back ? survey->before : survey->after, now);
     } else if (const auto* const settings = std::get_if<Step<SessionSettings>>(&step)) {
         what = settings->before.cut == settings->after.cut ? tr_in("undo", "settings") : tr_in("undo", "cut");
-        SessionSettings& now_set = s;
         SessionSettings to = back ? settings->before : settings->after;
         copy_transient(s, to);
-        now_set = std::move(to);
+        static_cast<SessionSettings&>(s) = std::move(to);
     }
     say(s.message, formatted(back ? tr("Undone: %s") : tr("Redone: %s"), what), now);
     settling_ = 3;

@@ -102,8 +102,9 @@ void begin_in_scene(Session& s, const PackageReader& package, const ActiveStory&
     s.photo_list.errors = photo_errors(package);
     const bool view_given = !o.package.photos.empty() || !o.pictures.view.empty();
     if (const auto opening = opening_of(active); opening && !view_given) begin_at(s.viewpoint, *opening);
-    s.movement.near_photos = s.defaults.movement.near_photos = active.story.limits.near_photos;
-    s.movement.farthest = s.defaults.movement.farthest = active.story.limits.farthest;
+    s.defaults.movement.near_photos = active.story.limits.near_photos;
+    s.defaults.movement.farthest = active.story.limits.farthest;
+    s.movement = s.defaults.movement;
     s.settings.plain_background = active.story.background ? plain_background_of(*active.story.background)
                                                           : plain_background_of(package.scene());
 }

@@ -359,13 +359,13 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
         c.explain(
             "The true length of this distance, in the displayed unit, or in meters if the model's unit is "
             "unknown. Sets the scale of all measurements.");
-        const Unit shown = shown_unit(survey_.scale) == Unit::unknown ? Unit::m : shown_unit(survey_.scale);
+        const auto or_meters = [](Unit unit) { return unit == Unit::unknown ? Unit::m : unit; };
+        const Unit unit = or_meters(survey_.scale.unit), shown = or_meters(shown_unit(survey_.scale));
         ImGui::SameLine();
-        ImGui::TextUnformatted(name_of(shown));
+        ImGui::TextUnformatted(tr_in("unit", name_of(shown)));
         ImGui::SameLine();
         if (c.button("Set scale")) {
             const Measured raw = evaluate(survey_.measurements[at], {}, survey_.up);
-            const Unit unit = survey_.scale.unit == Unit::unknown ? Unit::m : survey_.scale.unit;
             const double known = known_length_ * meters_in(shown) / meters_in(unit);
             const auto scale = scale_from(raw.value.value_or(0), raw.uncertainty.value_or(0), known, unit);
             if (scale) {
