@@ -23,8 +23,7 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
         toggle_rotation(s, renderer.package().photos(), now);
     c.explain(
         "Turns the view slowly about its middle, where there are photos, until you click on the picture, use "
-        "the wheel or "
-        "press a key.");
+        "the wheel or press a key.");
     toggle("Orthographic", "", s.viewpoint.orthographic);
     c.explain("Without perspective: equal lengths appear equal at any distance.");
     ImGui::Separator();

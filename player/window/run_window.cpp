@@ -135,7 +135,8 @@ std::optional<Requested> ask_for_package(GlfwWindow& window, WindowState& state,
         }
 }
 
-/// Opens the package of the options in the window, or asks for one if there is none or it cannot be opened.
+/// Opens the package of the options in the window, or asks for one if the options name none or it cannot be
+/// opened.
 std::optional<Requested> open_or_ask(GlfwWindow& window, WindowState& state, Controls& controls,
                                      const ShowOptions& o, double started) {
     if (o.package.file.empty()) return ask_for_package(window, state, controls, o, "");

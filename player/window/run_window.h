@@ -7,7 +7,7 @@
 namespace vantage {
 
 /// Shows a scene in a window until it is closed. Without objects, the window opens the package of the
-/// options, or shows the start page if there is none or it cannot be opened. Returns the exit code: damaged
+/// options, or shows the start page if they name none or it cannot be opened. Returns the exit code: damaged
 /// if a damaged tile was found. Throws Error(graphics) without a display or OpenGL 4.5, and if the first
 /// package cannot be shown.
 int run_window(const ShowOptions& options, const std::vector<SceneObject>& objects);

@@ -8,7 +8,7 @@
 
 namespace vantage {
 
-/// The start page, which is shown if there is no package. It shows recent files with pictures; the user
+/// The start page, which is shown without a package. It shows recent files with pictures; the user
 /// can also choose or drop a file. Returns the chosen file, or empty if the window was closed. `files`: the
 /// recent ones, most recent first. `trouble`: the error of the previously chosen file, or empty. `places`:
 /// the file to which the positions of the controls are written, or empty.

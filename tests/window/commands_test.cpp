@@ -101,7 +101,7 @@ TEST_F(WindowCommands, FilesThatCannotBeWrittenAreSaid) {
     EXPECT_TRUE(w.there("Message"));
     EXPECT_NE(w.session.message.text.find("/proc/one-0001.path"), std::string::npos)
         << w.session.message.text;
-    EXPECT_FALSE(w.there("Copy path")) << "there is no file";
+    EXPECT_FALSE(w.there("Copy path")) << "no file was written";
 }
 
 TEST_F(WindowCommands, AWrittenFileIsBesideThePackageAndItsMessageLeadsThere) {

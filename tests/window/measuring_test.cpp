@@ -116,7 +116,7 @@ TEST_F(WindowMeasures, NamesScaleAndTable) {
     HeadlessWindow w(package, from_photo());
     w.resize(1400, 900);
     w.key(GLFW_KEY_M);
-    EXPECT_EQ(shown_text().find("saved in"), std::string::npos) << "there is no file yet";
+    EXPECT_EQ(shown_text().find("saved in"), std::string::npos) << "nothing has been saved yet";
     w.press("Snap to vertices");
     click(w, {left, 0, low}), click(w, {left, 0, high});
     w.choose("Measure", "polyline");

@@ -179,7 +179,7 @@ TEST_F(OrbitLimits, ATiltedViewIsLeveled) {
         EXPECT_EQ(camera.eye, upright.eye);
         EXPECT_FALSE(level_in_menu());
         w.key(GLFW_KEY_L);
-        EXPECT_FALSE(w.session.viewpoint.flight) << "there is nothing to level";
+        EXPECT_FALSE(w.session.viewpoint.flight) << "the view is level";
     }
 }
 

@@ -210,7 +210,7 @@ TEST_F(WindowStories, ANoteIsPlacedAndMovedWithTheMouse) {
     w.key(GLFW_KEY_E, KeyPress::With::control);
     w.press("Add a note");
     click_at({1390, 450});
-    EXPECT_TRUE(w.there("Message")) << "there is no surface";
+    EXPECT_TRUE(w.there("Message")) << "the click missed the model";
     click_at(pixel_of(low));
     EXPECT_LT((saved_anchor() - low).norm(), 0.02);
     click_at(pixel_of(high));

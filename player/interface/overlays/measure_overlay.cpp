@@ -100,8 +100,7 @@ void draw_scale_bar(Controls& c, const ScaleBar& bar, const std::string& label, 
     ImGui::InvisibleButton("##bar", size);
     c.explain(
         "Correct at the distance of the point about which the view turns; nearer parts appear larger, "
-        "farther "
-        "parts smaller.");
+        "farther parts smaller.");
     ImGui::End();
     c.note("Drawn scale bar", low, high);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();

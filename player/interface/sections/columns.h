@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// Places the next control, a check box with this name, in the second column, next to the last one. If there
-/// is no space, it gets its own line.
+/// Places the next control, a check box with this name, in the second column, next to the last one, or on
+/// its own line if it does not fit there.
 void in_second_column(const char* name);
 
 /// A check box with its tooltip.

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// Whether points are shown, or their size if there is no mesh; and if `more`, all settings of the point
-/// cloud. The package must have one.
+/// Whether points are shown, or their size in a scene without a mesh; and if `more`, all settings of the
+/// point cloud. The package must have one.
 void point_section(Controls& controls, Session& session, const Renderer& renderer, bool more = true);
 
 }  // namespace vantage

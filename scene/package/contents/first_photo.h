@@ -12,7 +12,7 @@ namespace vantage {
 /// pixels.
 std::uint32_t first_photo(const PackageReader& package, std::uint32_t image_set = 0);
 
-/// The thumbnail of the first image set's first photo. Throws Error(input) if there is no such photo, and
+/// The thumbnail of the first image set's first photo. Throws Error(input) if no photo has pixels, and
 /// Error(damaged) if the thumbnail is damaged.
 RgbaImage first_thumbnail(const PackageReader& package);
 
