@@ -19,12 +19,14 @@ layout(location = viewer_away_uniform) uniform float viewer_away;         // the
 vec3 calm = vec3(0.0);    // background color, square root of light
 float trust = 0.0;        // in the labeled photo
 uvec3 labels = uvec3(0u);  // of the corners
+float shown = 1.0;        // 0: hidden, no photo is shown except from its own camera
 
 void read_paint() {
     for (int i = 0; i < 3; ++i) {
         uint c = colors[corners[i]];
         calm += corner_shares[i] * pow(unpackUnorm4x8(c).rgb, vec3(1.1));
         labels[i] = c >> 27;
+        if (c >> 24 == uint(hidden_background)) shown -= corner_shares[i];
         trust += corner_shares[i] * float(c >> 24 & 7u) / 7.0;
     }
 }
@@ -69,7 +71,7 @@ Candidate candidate_of(uint bits, vec3 seen_near) {
     Candidate c = Candidate(photo, vec3(0.0), vec2(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
     uint label = uint(photos[photo].false_color.w);
     c.label = label > 0u ? label_weight * dot(corner_shares, vec3(equal(labels, uvec3(label)))) : 0.0;
-    c.near = photos[photo].size_weight.w;
+    c.near = photos[photo].size_weight.w * shown;
     c.place = (photos[photo].cam_from_origin * vec4(surface_position, 1.0)).xyz;
     c.pixel = photos[photo].focal_center.xy * c.place.xy / max(c.place.z, 1e-30) + photos[photo].focal_center.zw;
     if (bits == 0u || !(c.place.z > 0.0) || !inside(photo, c.pixel)) return c;

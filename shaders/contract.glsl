@@ -335,6 +335,7 @@ const float background_sharpness = 0.1f;  // radians: the angle at which a weigh
 const float near_reach = 4.0f;  // labels decide beyond this times the cameras' spread
 const int nearest_photos = 3;
 const int background_labels = 32;    // 0: none
+const int hidden_background = 7;     // label and trust of hidden vertices, which no photo colors
 const float mesh_behind = 1.0f / 64.0f;  // weight of the mesh's colors for holes of the background
 const float near_ramp = 0.1f;   // fraction of a photo's width over which the nearest photos fade in from their frame
 const float negligible = 0.3f;  // photos below this fraction of the best photo's weight are not shown

@@ -22,6 +22,7 @@
 #include "player/pictures/video_encoder.h"
 #include "player/render/picture.h"
 #include "player/tour/story_background.h"
+#include "player/tour/story_views.h"
 #include "scene/package/output_file.h"
 #include "scene/package/package_inputs.h"
 #include "scene/story/story_file.h"
@@ -71,6 +72,7 @@ class Frames {
         settings_.field = field_settings(package, o.field);
         settings_.light = light_settings(o.light);
         settings_.points = point_settings(o.points);
+        renderer_.hide(hidden_balls(story, input_axes(package)));
         if (story.background) settings_.plain_background = plain_background_of(*story.background);
         has_legend_ = o.pictures.legend && stereo_.mode == StereoMode::off;
         // If only some photos are blended, the selection changes between frames, so photos fade in and out as

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "player/plan/cluster_tree.h"
@@ -52,6 +53,11 @@ struct PlanScene {
         std::vector<std::vector<package::CoverageRecord>> coverage;
         std::vector<std::vector<std::uint64_t>> visible;
     } joined;
+    /// The parts hidden by hide(), as they were before.
+    struct Hidden {
+        std::vector<std::pair<std::uint32_t, std::array<std::uint32_t, 3>>> triangles;
+        std::vector<std::pair<std::uint32_t, std::array<std::uint8_t, 4>>> colors;  ///< of the background
+    } hidden;
     std::span<const package::ClusterRecord> clusters_of_mesh() const {
         return std::span(clusters).first(std::min<std::size_t>(first_surrounding, clusters.size()));
     }

@@ -72,9 +72,8 @@ gl::Buffer buffer_of(const char* name, std::span<const T> values) {
     return gl::make_buffer(name, values.size_bytes(), values.data());
 }
 
-/// A buffer with space for `more` values at the end.
+/// A buffer that can be written to, with space for `more` values at the end.
 gl::Buffer buffer_of(const char* name, std::span<const std::uint32_t> values, std::size_t more) {
-    if (more == 0) return buffer_of(name, values);
     gl::Buffer out =
         gl::make_buffer(name, values.size_bytes() + more * sizeof values[0], nullptr, GL_DYNAMIC_STORAGE_BIT);
     glNamedBufferSubData(out.id(), 0, GLsizeiptr(values.size_bytes()), values.data());
@@ -119,12 +118,19 @@ Model load_model(const PackageReader& package, const PlanScene& scene) {
     if (!effect_on(package.scene(), Effect::vertex_colors) &&
         !effect_on(package.scene(), Effect::transparency) && !scene.has_background())
         return m;
-    m.colors = buffer_of("colors", std::span<const std::array<std::uint8_t, 4>>(colors_of(package, scene)));
+    const auto colors = colors_of(package, scene);
+    m.colors =
+        gl::make_buffer("colors", colors.size() * sizeof colors[0], colors.data(), GL_DYNAMIC_STORAGE_BIT);
     glVertexArrayVertexBuffer(m.vertices.id(), color_attribute, m.colors.id(), 0, 4);
     glVertexArrayAttribFormat(m.vertices.id(), color_attribute, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
     glVertexArrayAttribBinding(m.vertices.id(), color_attribute, color_attribute);
     glEnableVertexArrayAttrib(m.vertices.id(), color_attribute);
     return m;
+}
+
+void write_hidden(Model& model, const PlanScene& scene) {
+    glNamedBufferSubData(model.indices.id(), 0, GLsizeiptr(scene.indices.size_bytes()), scene.indices.data());
+    if (scene.has_background()) write_behind(model.colors, model.vertex_count, scene.surrounding_colors);
 }
 
 bool add_coarse_mesh(Model& model, const PlanScene& scene, const CoarseMesh& mesh) {

@@ -25,6 +25,9 @@ struct Model {
 /// Sets the attribute `value` to a field's values, one per vertex of the mesh.
 void show_values(Model& model, const PlanScene& scene, std::span<const float> values);
 
+/// Writes the scene's triangles and background colors again, see hide().
+void write_hidden(Model& model, const PlanScene& scene);
+
 /// Appends a coarse mesh after the scene's triangles. Returns false if the coarse mesh has too many
 /// triangles.
 bool add_coarse_mesh(Model& model, const PlanScene& scene, const CoarseMesh& mesh);

@@ -59,6 +59,14 @@ void Renderer::show(const View& view, const RenderSettings& settings, const Show
     resolver_.show(view, usable(settings, resources_.parts), image_sets, target);
 }
 
+void Renderer::hide(std::span<const Ball> balls) {
+    if (balls.empty() && resources_.scene.hidden.triangles.empty() && resources_.scene.hidden.colors.empty())
+        return;
+    planner_.stop_threads();
+    vantage::hide(resources_.scene, balls);
+    resources_.clusters.update();
+}
+
 void Renderer::pick(const Eigen::Vector2i& pixel) {
     const std::optional<PointPass>& points = resources_.points;
     const FrameTargets& targets = resources_.targets;

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "player/plan/hidden_balls.h"
 #include "player/render/frame_painter.h"
 #include "player/render/frame_resolver.h"
 #include "player/render/frame_resources.h"
@@ -35,6 +36,9 @@ class Renderer {
     void redraw(const View& view, const RenderSettings& settings);
     /// Shows the samples of an eye in a framebuffer of the view's size.
     void show(const View& view, const RenderSettings& settings, const ShowTarget& target);
+
+    /// Hides the mesh and the background in balls, and shows again what an earlier call has hidden.
+    void hide(std::span<const Ball> balls);
 
     /// Requests the point at a pixel of the last frame, if that frame was drawn with settings.points.pick or
     /// with photos on points. The answer arrives a few calls later. See PointPicking.

@@ -16,6 +16,12 @@ Navigation camera_at(const StoryView& view, const InputAxes& axes) {
     return {eye, target, up, rolled(level, view.roll), view.fov};
 }
 
+std::vector<Ball> hidden_balls(const Story& story, const InputAxes& axes) {
+    std::vector<Ball> out;
+    for (const StoryBall& ball : story.hidden) out.push_back({ball.center - axes.origin, ball.radius});
+    return out;
+}
+
 Eigen::Vector3d rounded_place(const Eigen::Vector3d& place, double distance) {
     // Uses either the power of ten or its inverse, whichever is an integer and therefore exact. This yields
     // short decimals.

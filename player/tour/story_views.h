@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "player/plan/hidden_balls.h"
 #include "player/view/camera_spline.h"
 #include "scene/package/package_reader.h"
 #include "scene/story/story.h"
@@ -17,6 +18,9 @@ InputAxes input_axes(const PackageReader& package);
 
 /// The camera of a story's view.
 Navigation camera_at(const StoryView& view, const InputAxes& axes);
+
+/// The balls that a story hides.
+std::vector<Ball> hidden_balls(const Story& story, const InputAxes& axes);
 
 /// A position rounded to a multiple of a power of ten that is at most a millionth of `distance`.
 Eigen::Vector3d rounded_place(const Eigen::Vector3d& place, double distance);

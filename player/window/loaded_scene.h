@@ -20,9 +20,11 @@ struct LoadedScene {
     LoadedScene(const PackageReader& package, const std::vector<SceneObject>& all, const ShowOptions& options,
                 Session& session);
 
-    /// Applies the language of the window, and uploads the open note's picture once it is loaded.
-    void attend(const Session& session);
+    /// Applies the language of the window, uploads the open note's picture once it is loaded, and hides the
+    /// pieces that the story hides. Returns whether these have changed.
+    bool attend(const Session& session);
 
+    bool hide_pieces();
     const PackageReader& package() const { return renderer.package(); }
     const PlanScene& plan() const { return renderer.scene(); }
 
@@ -32,7 +34,8 @@ struct LoadedScene {
     ActiveStory active;
     NotePicture note_picture;
     AskedFiles asked_files;
-    std::string language;  ///< in use
+    std::string language;           ///< in use
+    std::vector<StoryBall> hidden;  ///< in the picture
 };
 
 }  // namespace vantage

@@ -113,7 +113,7 @@ void ShownScene::pick(const View& view) {
 View ShownScene::update(int width, int height, double now) {
     Session& s = session_;
     if (kiosk_) attend(*kiosk_, s, s.window.touched, now);
-    scene_.attend(s);
+    if (scene_.attend(s)) picture_.refine_again();
     use_clipboard(s, scene_.package(), now);
     const auto flight_end = end_of_flight(s.viewpoint);
     continue_flight(s.viewpoint, now, picture_.is_final());
@@ -232,8 +232,14 @@ void ShownScene::tell(const View& view, double now) {
         return hit ? std::optional(hit->at) : std::nullopt;
     };
     if (meshes.empty() || picture_.in_parts()) hit_surface = {};
+    const SurfaceAt anything = [&](const Eigen::Vector2d& pixel) {
+        const auto on_model = hit_surface ? hit_surface(pixel) : std::nullopt;
+        return on_model || picture_.in_parts() ? on_model : surface(pixel);
+    };
     s.window.places_note &= s.window.panels.story_editor;
-    if (s.window.panels.story_editor) story_editor_.show(controls_, scene_.active, s, view, hit_surface, now);
+    s.window.hides_pieces &= s.window.panels.story_editor && !s.window.panels.measure;
+    if (s.window.panels.story_editor)
+        story_editor_.show(controls_, scene_.active, s, view, {hit_surface, anything}, now);
     if (!s.window.panels.story) return;
     if (scene_.active.any() || !scene_.active.trouble.empty()) story_panel(controls_, scene_.active, s, now);
     if (picture_.in_parts()) return;

@@ -89,7 +89,7 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
     }
     begin_at(s.viewpoint, home);
     window.panels.expert |= !o.field.name.empty();
-    window.places_note = false;
+    window.places_note = window.hides_pieces = false;
     return s;
 }
 

@@ -67,6 +67,13 @@ struct StoryLimits {
     bool operator==(const StoryLimits&) const = default;
 };
 
+/// A ball whose surface and background are hidden, in the input's coordinates.
+struct StoryBall {
+    Eigen::Vector3d center;
+    double radius;
+    bool operator==(const StoryBall&) const = default;
+};
+
 /// The loop that a kiosk shows while idle. Exactly one of `tour`, `stops` and `turn` is set.
 struct StoryAttract {
     double after = 60;   ///< seconds without input
@@ -84,6 +91,7 @@ struct Story {
     std::optional<StoryView> opening{};
     std::optional<StoryBackground> background{};
     StoryLimits limits{};
+    std::vector<StoryBall> hidden{};
     std::vector<StoryNote> notes;
     std::vector<StoryTour> tours;
     std::optional<StoryAttract> attract{};

@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr std::size_t max_bytes = std::size_t(8) << 20, max_notes = 1000, max_tours = 100, max_stops = 1000,
-                      max_languages = 50, max_id = 100, max_title = 500, max_text = 20000, max_path = 500;
+                      max_hidden = 10000, max_languages = 50, max_id = 100, max_title = 500, max_text = 20000,
+                      max_path = 500;
 constexpr int max_depth = 12;
 constexpr double max_seconds = 3600, fov_low = 0.02, fov_high = 178;
 
@@ -140,6 +141,15 @@ StoryLimits read_limits(const LocatedJson& at) {
     return out;
 }
 
+std::vector<StoryBall> read_hidden(const LocatedJson& at) {
+    std::vector<StoryBall> out;
+    for (const LocatedJson& ball : at.items(max_hidden)) {
+        ball.expect_object({"center", "radius"});
+        out.push_back({ball.at("center").vector(), ball.at("radius").number(1e-12, 1e12)});
+    }
+    return out;
+}
+
 StoryAttract read_attract(const LocatedJson& at) {
     at.expect_object({"after", "tour", "stops", "turn"});
     StoryAttract out;
@@ -161,8 +171,8 @@ void expect_different(const std::vector<Item>& items, const LocatedJson& at) {
 }
 
 Story read_top(const LocatedJson& at) {
-    at.expect_object(
-        {"format", "language", "title", "opening", "background", "limits", "notes", "tours", "attract"});
+    at.expect_object({"format", "language", "title", "opening", "background", "limits", "hidden", "notes",
+                      "tours", "attract"});
     if (at.at("format").text(max_title) != story_format)
         at.at("format").fail('"' + std::string(story_format) + '"');
     Story out;
@@ -171,6 +181,7 @@ Story read_top(const LocatedJson& at) {
     if (at.has("opening")) out.opening = read_view(at.at("opening"));
     if (at.has("background")) out.background = read_background(at.at("background"));
     if (at.has("limits")) out.limits = read_limits(at.at("limits"));
+    if (at.has("hidden")) out.hidden = read_hidden(at.at("hidden"));
     if (at.has("notes")) {
         for (const LocatedJson& note : at.at("notes").items(max_notes)) out.notes.push_back(read_note(note));
         expect_different(out.notes, at.at("notes"));
@@ -261,6 +272,8 @@ ordered_json json_of(const Story& story) {
     if (story.opening) out["opening"] = json_of(*story.opening);
     if (story.background) out["background"] = json_of(*story.background);
     if (story.limits != StoryLimits{}) out["limits"] = json_of(story.limits);
+    for (const StoryBall& ball : story.hidden)
+        out["hidden"].push_back({{"center", json_of(ball.center)}, {"radius", ball.radius}});
     if (!story.notes.empty()) out["notes"] = ordered_json::array();
     for (const StoryNote& note : story.notes) out["notes"].push_back(json_of(note));
     if (!story.tours.empty()) out["tours"] = ordered_json::array();

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "player/render/picture.h"
+#include "player/survey/ray_cast.h"
 #include "scene/story/story_file.h"
 #include "tests/window/shown_text.h"
 #include "tests/window/window_test.h"
@@ -229,4 +230,45 @@ TEST_F(WindowStories, ANoteIsPlacedAndMovedWithTheMouse) {
     w.key(GLFW_KEY_ESCAPE);
     click_at(pixel_of(high));
     EXPECT_FALSE(w.there("List 2")) << "Esc cancels";
+}
+
+TEST_F(WindowStories, ACuratorHidesAPieceForVisitors) {
+    ShowOptions options;
+    options.package.photos = {"0002.jpg"};
+    const Vector3d on_wall(1.6, 0, 3.7);
+    const auto shows_wall = [&](HeadlessWindow& w) {
+        const Vector3d place = on_wall - Eigen::Map<const Vector3d>(w.package().scene().origin);
+        const auto hit = first_hit(
+            w.scene(),
+            ray_through(w.view(), project(w.view().intrinsics, w.view().cam_from_origin, place)->pixel));
+        return hit && (hit->position - place).norm() < 0.1;
+    };
+    {
+        HeadlessWindow w(package, options);
+        w.resize(1400, 900);
+        ASSERT_TRUE(shows_wall(w));
+        const auto click_on_wall = [&] {
+            const Vector3d place = on_wall - Eigen::Map<const Vector3d>(w.package().scene().origin);
+            w.wait(1);
+            w.point_at(project(w.view().intrinsics, w.view().cam_from_origin, place)->pixel), w.frames();
+            w.click();
+        };
+        w.key(GLFW_KEY_E, KeyPress::With::control);
+        w.press("Hide pieces");
+        click_on_wall();
+        EXPECT_FALSE(shows_wall(w));
+        w.key(GLFW_KEY_Z, KeyPress::With::control);
+        EXPECT_TRUE(shows_wall(w)) << "undone";
+        w.wait(1);
+        click_on_wall();
+        w.key(GLFW_KEY_ESCAPE);
+        click_on_wall();
+        w.press("Save the story");
+        const std::vector<StoryBall> hidden = saved().hidden;
+        ASSERT_EQ(hidden.size(), 1u) << "after Esc, clicks hide nothing";
+        EXPECT_LT((hidden[0].center - on_wall).norm(), 0.02);
+    }
+    options.window.kiosk = true;
+    HeadlessWindow visitor(package, options);
+    EXPECT_FALSE(shows_wall(visitor));
 }

@@ -37,6 +37,7 @@ struct WindowState {
     bool menu_open = false;           ///< a menu or list was open in the last frame
     bool navigates = false;           ///< a control had the keyboard focus in the last frame
     bool places_note = false;         ///< the next click on the model places a note
+    bool hides_pieces = false;        ///< clicks hide pieces of the scene
     bool touched = false;             ///< any input since the last frame
     UserCommands commands;
 };

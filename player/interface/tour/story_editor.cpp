@@ -71,7 +71,7 @@ void StoryEditor::place_buttons(Controls& c, ActiveStory& active, Session& s, co
     const auto wait_for_click = [&](bool moves) {
         moves_ = moves;
         s.window.places_note = true;
-        s.window.panels.measure = false;  // it takes clicks, too
+        s.window.panels.measure = s.window.hides_pieces = false;  // they take clicks, too
     };
     const bool at_center = s.window.navigates || !surface;
     if (c.button("Add a note")) at_center ? add(active, s, surface, center) : wait_for_click(false);
@@ -162,7 +162,7 @@ void StoryEditor::buttons(Controls& c, ActiveStory& active, const Session& s) {
 }
 
 void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View& view,
-                       const SurfaceAt& surface, double now) {
+                       const Surfaces& surfaces, double now) {
     ImGui::SetNextWindowPos(ImVec2(float(s.window.free.left + s.window.free.width) - 12,
                                    float(s.window.free.top + s.window.free.height) - 12),
                             ImGuiCond_Always, ImVec2(1, 1));
@@ -175,13 +175,14 @@ void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View&
                                      ? tr("The story of a package on a server cannot be edited here.")
                                      : active.trouble.c_str());
     ImGui::BeginDisabled(fixed);
-    if (!fixed) take_click(active, s, surface, now);
-    place_buttons(c, active, s, view, surface);
+    if (!fixed) take_click(active, s, surfaces.model, now);
+    place_buttons(c, active, s, view, surfaces.model);
     if (c.button("Set the opening view")) {
         active.story.opening = story_view(s.viewpoint.camera, active.axes);
         active.changed = true;
     }
     if (s.window.places_note) ImGui::TextDisabled("%s", tr("Click on the model; Esc cancels."));
+    brush_.show(c, active, s, view, surfaces.anything, now);
     take(active);
     if (edited_) {
         fields(c, active);

@@ -6,6 +6,7 @@
 #include "player/interface/sections/controls.h"
 #include "player/interface/state/session.h"
 #include "player/interface/tour/active_story.h"
+#include "player/interface/tour/hiding_brush.h"
 
 namespace vantage {
 
@@ -19,8 +20,12 @@ bool place_note(ActiveStory& active, std::size_t note, const Session& session, c
 /// language.
 class StoryEditor {
   public:
+    /// The places at a pixel; either may be empty.
+    struct Surfaces {
+        SurfaceAt model, anything;  ///< on the mesh; on the mesh or else the background
+    };
     void show(Controls& controls, ActiveStory& active, Session& session, const View& view,
-              const SurfaceAt& surface, double now);
+              const Surfaces& surfaces, double now);
 
   private:
     void add(ActiveStory& active, const Session& session, const SurfaceAt& surface,
@@ -32,6 +37,7 @@ class StoryEditor {
     void buttons(Controls& controls, ActiveStory& active, const Session& session);
     void take(const ActiveStory& active);
 
+    HidingBrush brush_;
     bool moves_ = false;                 ///< the next click moves the open note's anchor
     std::optional<std::size_t> edited_;  ///< the note in the text fields
     std::string language_;               ///< language of the edited texts

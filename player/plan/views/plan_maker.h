@@ -25,6 +25,8 @@ class PlanMaker {
     /// makes the plans before returning. `next`: the next expected view, whose tiles are planned as well;
     /// null: none.
     void update(std::span<const OrderedPlan> views, bool at_once, const View* next);
+    /// Abandons the plans that a thread is making; a new thread starts when needed.
+    void stop_thread() { thread_.reset(); }
     /// Whether the views have their requested plans.
     bool current() const { return current_; }
     /// The photos of the next expected view, with their tiles.

@@ -28,6 +28,11 @@ bool ClusterDraws::show_values(std::span<const float> values) {
     return first;
 }
 
+void ClusterDraws::update() {
+    write_hidden(model_, *scene_);
+    coarse_ = {};
+}
+
 void ClusterDraws::use_coarse(CoarseMesh mesh) {
     if (add_coarse_mesh(model_, *scene_, mesh)) coarse_ = std::move(mesh);
 }

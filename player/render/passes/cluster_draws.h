@@ -22,6 +22,8 @@ class ClusterDraws {
     /// Sets the model's scalar values, one per vertex of the mesh. Returns whether graphics memory was
     /// allocated.
     bool show_values(std::span<const float> values);
+    /// Draws the scene's triangles as they are now, and no coarse mesh until use_coarse().
+    void update();
     /// Reduced frames may be drawn with this mesh from then on.
     void use_coarse(CoarseMesh mesh);
     const CoarseMesh& coarse() const { return coarse_; }

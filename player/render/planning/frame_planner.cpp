@@ -49,6 +49,11 @@ void FramePlanner::coarsen(bool wait) {
     if (auto mesh = coarsening_->take(wait)) resources_->clusters.use_coarse(std::move(*mesh));
 }
 
+void FramePlanner::stop_threads() {
+    coarsening_.reset();
+    maker_.stop_thread();
+}
+
 FrameReport FramePlanner::plan(const FrameRequest& request) {
     FrameResources& r = *resources_;
     for (const View& view : request.eyes) check_view(view);

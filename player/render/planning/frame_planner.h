@@ -41,6 +41,8 @@ class FramePlanner {
     /// Makes the coarse mesh for reduced frames on another thread, and uses it when it is finished. With
     /// `wait`, waits until it is finished.
     void coarsen(bool wait);
+    /// Stops the threads that use the scene, so that it can be changed; they start again when needed.
+    void stop_threads();
     /// The current limit on graphics memory, in bytes: the budget's limit, or more if a frame needs more.
     std::uint64_t graphics_budget() const { return graphics_budget_; }
     const MemoryBudget& budget() const { return budget_; }

@@ -186,13 +186,15 @@ void fly_on(Session& s, const PlanScene& scene, int by, double now) {
     }
 }
 
-/// Cancels the current mode (help, placing a note, a flight, a comparison), or closes the message about a
+/// Cancels the current mode (help, placing a note, hiding pieces, a flight, a comparison), or closes the message about a
 /// file. Never closes the window.
 void leave(Session& s, double now) {
     if (s.window.panels.help)
         s.window.panels.help = false;
     else if (s.window.places_note)
         s.window.places_note = false;
+    else if (s.window.hides_pieces)
+        s.window.hides_pieces = false;
     else if (s.viewpoint.flight)
         s.viewpoint.flight.reset();
     else if (s.settings.compare != Compare::nothing)

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "base/gl/context.h"
 #include "pipeline/synth/cast_photo.h"
 #include "pipeline/synth/synthesize.h"
 #include "player/render/picture.h"
+#include "player/survey/ray_cast.h"
 #include "scene/package/contents/background.h"
 #include "tests/made_scenes.h"
 #include "tests/programs/garden_spec.h"
@@ -166,4 +168,96 @@ TEST_F(Garden, NothingIsDarkWhileOnePhotoReplacesAnother) {
     for (std::size_t i = 0; i < pixels; ++i)
         darker += light(between, i) < std::min(light(before, i), light(after, i)) - 30;
     EXPECT_LT(double(darker), 0.005 * double(pixels));
+}
+
+TEST_F(Garden, HiddenBallsLackModelAndPhotosUntilTheyAreShownAgain) {
+    const PackageReader package = prepared({});
+    const gl::HeadlessContext context;
+    Renderer renderer(package, MemoryBudget{});
+    std::vector<std::uint32_t> photos(cameras.size());
+    std::iota(photos.begin(), photos.end(), 0u);
+    View view = view_of_photo(package.photos()[3], 0.5);
+    view.cam_from_origin.t.x() += 3;  // away from the camera, at which its own photo is shown
+    const PlanScene& scene = renderer.scene();
+    const auto place = [&](std::size_t pixel) -> std::optional<Eigen::Vector3d> {
+        const int width = view.intrinsics.width;
+        const auto hit = first_hit(
+            scene, ray_through(view, {double(int(pixel) % width) + 0.5, double(int(pixel) / width) + 0.5}));
+        return hit ? std::optional(hit->position) : std::nullopt;
+    };
+    RenderSettings settings;
+    const auto picture = [&](ShowBackground background) {
+        settings.background = background;
+        return take_picture(renderer, view, settings, photos, 1);
+    };
+    const Picture model = picture(ShowBackground::off), whole = picture(ShowBackground::on);
+    const std::size_t pixels = model.rgba.size() / 4;
+    std::vector<std::optional<Eigen::Vector3d>> places;
+    std::vector<Eigen::Vector3d> found;
+    for (std::size_t i = 0; i < pixels; ++i)
+        if (const auto at = places.emplace_back(place(i))) found.push_back(*at);
+    ASSERT_GT(found.size(), pixels / 20) << "the model is in view";
+
+    const Ball on_model{found[found.size() / 2], 0.8};
+    renderer.hide({{on_model}});
+    const Picture without = picture(ShowBackground::off);
+    std::size_t inside = 0, kept = 0, outside = 0, changed = 0;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        if (!places[i]) continue;
+        const double away = (*places[i] - on_model.center).norm() / on_model.radius;
+        const auto behind = place(i);
+        if (away < 0.7)
+            ++inside, kept += behind && (*behind - on_model.center).norm() < 0.7 * on_model.radius;
+        if (away < 0.7 && !behind) kept += without.rgba[4 * i + 3] > 0;
+        if (away > 1.5) ++outside, changed += std::abs(int(model.rgba[4 * i]) - int(without.rgba[4 * i])) > 3;
+    }
+    ASSERT_GT(inside, 100u);
+    EXPECT_LT(double(kept), 0.02 * double(inside));
+    EXPECT_LT(double(changed), 0.01 * double(outside));
+
+    // A ball on the sphere of the background, where the view sees the lawn.
+    const auto background = read_background(package);
+    ASSERT_TRUE(background);
+    std::optional<std::size_t> on_lawn;
+    for (std::size_t i = pixels * 9 / 10; i < pixels && !on_lawn; ++i)
+        if (!places[i]) on_lawn = i;
+    ASSERT_TRUE(on_lawn);
+    const auto direction = [&](std::size_t i) -> Eigen::Vector3d {
+        return ray_through(view, {double(i % std::size_t(view.intrinsics.width)),
+                                  double(i / std::size_t(view.intrinsics.width))})
+            .along.normalized();
+    };
+    const Eigen::Vector3d eye = ray_through(view, {0, 0}).from;
+    const auto nearest = std::ranges::max(background->positions, {}, [&](const Eigen::Vector3f& p) {
+        return (p.cast<double>() - eye).normalized().dot(direction(*on_lawn));
+    });
+    const Ball on_background{nearest.cast<double>(), 0.15 * (nearest.cast<double>() - eye).norm()};
+    renderer.hide({{on_background}});
+    const Picture calm = picture(ShowBackground::on);
+    double before = 0, after = 0;
+    std::size_t far = 0, far_changed = 0, near = 0;
+    for (std::size_t i = 1; i < pixels; ++i) {
+        const double angle =
+            std::acos(std::clamp(direction(i).dot((on_background.center - eye).normalized()), -1.0, 1.0));
+        const auto step = [&](const Picture& p) {
+            return std::abs(int(p.rgba[4 * i + 1]) - int(p.rgba[4 * i - 3]));
+        };
+        if (!places[i] && !places[i - 1] && angle < 0.08) ++near, before += step(whole), after += step(calm);
+        if (angle > 0.5) ++far, far_changed += std::abs(int(whole.rgba[4 * i]) - int(calm.rgba[4 * i])) > 3;
+    }
+    std::printf(
+        "hidden: %zu of %zu pixels of the model remain; steps on the lawn %.1f, hidden %.1f (%zu pixels)\n",
+        kept, inside, before / double(near), after / double(near), near);
+    ASSERT_GT(near, 100u);
+    EXPECT_LT(after, 0.3 * before) << "a hidden piece of the background is smooth";
+    EXPECT_LT(double(far_changed), 0.01 * double(far));
+
+    renderer.hide({});
+    const auto differs = [&](const Picture& a, const Picture& b) {
+        std::size_t out = 0;
+        for (std::size_t i = 0; i < 4 * pixels; ++i) out += std::abs(int(a.rgba[i]) - int(b.rgba[i])) > 3;
+        return double(out) / double(4 * pixels);
+    };
+    EXPECT_LT(differs(picture(ShowBackground::off), model), 0.001);
+    EXPECT_LT(differs(picture(ShowBackground::on), whole), 0.001);
 }

@@ -20,6 +20,7 @@ const char* const chapel = R"({
   "opening": {"eye": [4512340.125, 5345210.5, 2], "target": [4512344, 5345210.5, 1], "fov": 40},
   "background": {"top": "#20262E", "bottom": "#000000", "soft_edges": 0.1},
   "limits": {"near_photos": false, "farthest": 37.5},
+  "hidden": [{"center": [4512344, 5345211, 8.5], "radius": 0.25}],
   "notes": [
     {"id": "clock", "title": "The clock", "text": {"en": "Built in 1702.\nIt still runs.", "de": "Von 1702."},
      "picture": "pictures/clock.jpg", "anchor": [4512344, 5345210, 9.5],
@@ -71,6 +72,7 @@ TEST_F(StoryFile, IsReadAsItIsWritten) {
     EXPECT_EQ(story.background->soft_edges, 0.1);
     EXPECT_FALSE(story.limits.near_photos);
     EXPECT_EQ(story.limits.farthest, 37.5);
+    EXPECT_EQ(story.hidden, (std::vector{StoryBall{{4512344, 5345211, 8.5}, 0.25}}));
     ASSERT_EQ(story.notes.size(), 2u);
     EXPECT_EQ(story.notes[0].text.by_language.at("en"), "Built in 1702.\nIt still runs.");
     EXPECT_EQ(story.notes[0].picture, "pictures/clock.jpg");
@@ -128,7 +130,7 @@ TEST_F(StoryFile, ErrorsNameThePlaceWhatWasFoundAndWhatWasExpected) {
               "format: found \"vantage-story-2\", expected \"vantage-story-1\"");
     EXPECT_EQ(error_of("[1, 2]"),
               "found an array of 2, expected an object with format, language, title, opening, background, "
-              "limits, notes, tours, attract");
+              "limits, hidden, notes, tours, attract");
     EXPECT_EQ(error_with(R"("opening": {"eye": [0, 0, 0], "target": [1, 0, 0], "fov": 200})"),
               "opening.fov: found 200, expected a number from 0.02 to 178");
     EXPECT_EQ(error_with(R"("opening": {"eye": [0, 0, 0], "target": [1, 0]})"),
@@ -153,6 +155,8 @@ TEST_F(StoryFile, ErrorsNameThePlaceWhatWasFoundAndWhatWasExpected) {
               "limits.near_photos: found \"yes\", expected true or false");
     EXPECT_EQ(error_with(R"("limits": {"farthest": 0})"),
               "limits.farthest: found 0, expected a number from 1e-06 to 1e+12");
+    EXPECT_EQ(error_with(R"("hidden": [{"center": [0, 0, 0], "radius": 0}])"),
+              "hidden[0].radius: found 0, expected a number from 1e-12 to 1e+12");
     EXPECT_EQ(error_with(R"("attract": {"tour": "a", "turn": 30})"),
               "attract: found an object, expected one of tour, stops and turn");
     EXPECT_EQ(error_with(R"("title": {"english": "x", "e": "y"})"),
