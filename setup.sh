@@ -11,7 +11,7 @@ packages=(g++ cmake ninja-build pkg-config ca-certificates gettext
   libturbojpeg0-dev libjpeg-dev libpng-dev libtiff-dev liblcms2-dev libheif-dev
   libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev libtomlplusplus-dev libzstd-dev libxxhash-dev
   libcurl4-openssl-dev libutf8proc-dev
-  libepoxy-dev libegl-dev libgl-dev libglfw3-dev libx11-dev libxcb-xinput-dev libimgui-dev libopenxr-dev
+  libepoxy-dev libegl-dev libgl-dev libglfw3-dev libx11-dev libxcb-xinput-dev libimgui-dev libqrencode-dev libopenxr-dev
   libgl1-mesa-dri libegl-mesa0 libglx-mesa0 fonts-dejavu-core ffmpeg)
 # Since glibc 2.39, the window can change its language only if a locale other than C is installed.
 grep -q '^ID=ubuntu' /etc/os-release && packages+=(language-pack-en-base)

@@ -66,6 +66,15 @@ void object(const Pen& p) {
     p.line(0, 0, -0.82f, -0.48f);
 }
 
+/// Three places that are connected.
+void share(const Pen& p) {
+    p.line(-0.6f, 0, 0.6f, -0.62f);
+    p.line(-0.6f, 0, 0.6f, 0.62f);
+    p.disk(-0.6f, 0, 0.3f);
+    p.disk(0.6f, -0.62f, 0.3f);
+    p.disk(0.6f, 0.62f, 0.3f);
+}
+
 /// A globe.
 void language(const Pen& p) {
     const auto ring = [&](float across) {
@@ -122,6 +131,8 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size, ImU32 col
             return light(pen);
         case Icon::object:
             return object(pen);
+        case Icon::share:
+            return share(pen);
         case Icon::language:
             return language(pen);
         case Icon::full_screen:

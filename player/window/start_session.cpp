@@ -96,6 +96,7 @@ Session start_session(const PackageReader& package, const ShowOptions& o, const 
 void begin_in_scene(Session& s, const PackageReader& package, const ActiveStory& active,
                     const ShowOptions& o) {
     s.window.story_languages = languages_of(active.story);
+    s.window.web = active.story.web;
     s.photos = photos_in_use(package, o.package);
     std::erase_if(s.photos, [&](std::uint32_t p) { return !package.photos()[p].levels; });
     s.defaults.photos = s.photos;

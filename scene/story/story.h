@@ -88,6 +88,7 @@ struct Story {
     /// The language of plain texts, and the fallback for texts that lack the visitor's language.
     std::string language = "en";
     StoryText title;
+    std::string web{};  ///< address of the scene's page on the web; may be empty
     std::optional<StoryView> opening{};
     std::optional<StoryBackground> background{};
     StoryLimits limits{};

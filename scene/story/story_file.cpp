@@ -76,6 +76,13 @@ StoryView read_view(const LocatedJson& at) {
     return out;
 }
 
+std::string read_web(const LocatedJson& at) {
+    const std::string text = at.text(max_path);
+    if (!is_url(text) || text.find(' ') != std::string::npos)
+        at.fail("an address that begins with https:// or http://");
+    return text;
+}
+
 std::string read_picture(const LocatedJson& at) {
     const fs::path picture = at.text(max_path);
     const std::string extension = lower_extension(picture);
@@ -171,13 +178,14 @@ void expect_different(const std::vector<Item>& items, const LocatedJson& at) {
 }
 
 Story read_top(const LocatedJson& at) {
-    at.expect_object({"format", "language", "title", "opening", "background", "limits", "hidden", "notes",
-                      "tours", "attract"});
+    at.expect_object({"format", "language", "title", "web", "opening", "background", "limits", "hidden",
+                      "notes", "tours", "attract"});
     if (at.at("format").text(max_title) != story_format)
         at.at("format").fail('"' + std::string(story_format) + '"');
     Story out;
     if (at.has("language")) out.language = read_language(at.at("language"), at.at("language").text(max_id));
     if (at.has("title")) out.title = read_text(at.at("title"), max_title, false);
+    if (at.has("web")) out.web = read_web(at.at("web"));
     if (at.has("opening")) out.opening = read_view(at.at("opening"));
     if (at.has("background")) out.background = read_background(at.at("background"));
     if (at.has("limits")) out.limits = read_limits(at.at("limits"));
@@ -269,6 +277,7 @@ ordered_json json_of(const StoryAttract& a) {
 ordered_json json_of(const Story& story) {
     ordered_json out{{"format", story_format}, {"language", story.language}};
     if (!story.title.empty()) out["title"] = json_of(story.title);
+    if (!story.web.empty()) out["web"] = story.web;
     if (story.opening) out["opening"] = json_of(*story.opening);
     if (story.background) out["background"] = json_of(*story.background);
     if (story.limits != StoryLimits{}) out["limits"] = json_of(story.limits);

@@ -272,3 +272,22 @@ TEST_F(WindowStories, ACuratorHidesAPieceForVisitors) {
     HeadlessWindow visitor(package, options);
     EXPECT_FALSE(shows_wall(visitor));
 }
+
+TEST_F(WindowStories, TheBarSharesTheStorysPage) {
+    Story story;
+    story.web = "https://example.org/chapel";
+    {
+        HeadlessWindow w(package);
+        EXPECT_FALSE(w.there("Bar Share")) << "the story has no page";
+    }
+    write_story(story_file_of(package), story);
+    for (const bool kiosk : {false, true}) {
+        ShowOptions options;
+        options.window.kiosk = kiosk;
+        HeadlessWindow w(package, options);
+        w.press("Bar Share");
+        EXPECT_TRUE(w.there("QR code"));
+        EXPECT_NE(shown_text().find(story.web), std::string::npos) << shown_text();
+        EXPECT_NE(w.there("Copy address"), kiosk);
+    }
+}

@@ -29,6 +29,7 @@ struct WindowState {
     /// Language of the window and of stories, such as "de-AT"; empty: English, and the story's default.
     std::string language;
     std::vector<std::string> story_languages;  ///< languages of the shown scene's story
+    std::string web;                           ///< the story's page on the web; may be empty
     Area free;                                 ///< the area without panels
     Area picture;                              ///< the area to which the picture is fitted, see PictureArea
 

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "player/interface/docked.h"
 #include "player/interface/language_menu.h"
 #include "player/interface/overlays/comparison.h"
+#include "player/interface/tour/qr_code.h"
 #include "scene/package/contents/point_cloud.h"
 
 namespace vantage {
@@ -32,12 +34,13 @@ constexpr Tool tools[] = {
     {MARKED_IN("tool", "Light"), Icon::light,
      marked("Light the surface with a lamp that follows the pointer, to see its shape"), true},
     {marked("Only the object"), Icon::object, marked("Hide or show the background"), true},
+    {MARKED_IN("tool", "Share"), Icon::share, marked("Open this scene's page on a phone"), false},
     {marked("Language"), Icon::language, marked("Choose a language"), false, true, false},
     {marked("Help"), Icon::help, marked("Mouse and keyboard (F1)"), false},
     {marked("Full screen"), Icon::full_screen, marked("Full screen, or a window again (F11)"), false, false},
     {marked("Expert"), Icon::expert, marked("All settings (Tab)"), false, false}};
 
-bool is_usable(Icon icon, const Renderer& renderer) {
+bool is_usable(Icon icon, const WindowState& window, const Renderer& renderer) {
     switch (icon) {
         case Icon::photos:
         case Icon::compare:
@@ -46,15 +49,18 @@ bool is_usable(Icon icon, const Renderer& renderer) {
             return !points_only(renderer.package().scene());
         case Icon::object:
             return renderer.scene().has_background();
+        case Icon::share:
+            return !window.web.empty();
         default:
             return true;
     }
 }
 
-std::vector<Tool> shown_tools(bool kiosk, const Renderer& renderer) {
+std::vector<Tool> shown_tools(const WindowState& window, const Renderer& renderer) {
     std::vector<Tool> out;
     for (const Tool& tool : tools)
-        if ((kiosk ? tool.in_kiosk : tool.in_window) && is_usable(tool.icon, renderer)) out.push_back(tool);
+        if ((window.kiosk ? tool.in_kiosk : tool.in_window) && is_usable(tool.icon, window, renderer))
+            out.push_back(tool);
     return out;
 }
 
@@ -65,17 +71,47 @@ float width_of(std::span<const Tool> shown, bool labels, float gap) {
     return width;
 }
 
-/// The list of languages above the bar, at a button, with items spaced for touch.
-void languages(Controls& c, WindowState& window, const Area& bar, float button) {
+/// Opens a popup's window above the bar, at a button.
+bool popup_at(Controls& c, const char* name, const Area& bar, float button) {
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos(ImVec2(button, float(bar.top) - 0.3f * em), ImGuiCond_Always,
                             ImVec2(button / std::max(1.0f, float(bar.width)), 1));
+    return c.popup(name);
+}
+
+/// The list of languages, with items spaced for touch.
+void languages(Controls& c, WindowState& window, const Area& bar, float button) {
+    const float em = ImGui::GetFontSize();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.6f * em, em));
-    if (c.popup("##languages")) {
+    if (popup_at(c, "##languages", bar, button)) {
         language_items(c, window);
         ImGui::EndPopup();
     }
     ImGui::PopStyleVar();
+}
+
+/// The address of the scene's page, also as a QR code with a margin of four modules.
+void page_on_the_web(Controls& c, const WindowState& window, const Area& bar, float button) {
+    if (!popup_at(c, "##share", bar, button)) return;
+    const QrCode code = qr_code(window.web);
+    const float module = std::max(2.0f, std::floor(14 * ImGui::GetFontSize() / float(code.size + 8)));
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float side = module * float(code.size + 8);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(corner, ImVec2(corner.x + side, corner.y + side), IM_COL32_WHITE);
+    for (int y = 0; y < code.size; ++y)
+        for (int x = 0; x < code.size; ++x) {
+            const ImVec2 low(corner.x + module * float(x + 4), corner.y + module * float(y + 4));
+            if (code.dark(x, y))
+                list.AddRectFilled(low, ImVec2(low.x + module, low.y + module), IM_COL32_BLACK);
+        }
+    ImGui::Dummy(ImVec2(side, side));
+    c.note("QR code");
+    ImGui::PushTextWrapPos(std::max(side, 14 * ImGui::GetFontSize()));
+    ImGui::TextUnformatted(window.web.c_str());
+    ImGui::PopTextWrapPos();
+    if (!window.kiosk && c.button("Copy address")) ImGui::SetClipboardText(window.web.c_str());
+    ImGui::EndPopup();
 }
 
 /// Raking light that follows the pointer, or none. The sidebar has other kinds of light.
@@ -103,6 +139,8 @@ void use(const Tool& tool, Session& s, const Renderer& renderer, const View& vie
         }
         case Icon::language:
             return ImGui::OpenPopup("##languages");
+        case Icon::share:
+            return ImGui::OpenPopup("##share");
         case Icon::full_screen:
             s.window.full_screen = !s.window.full_screen;
             return;
@@ -130,11 +168,11 @@ void visitor_bar(Controls& c, Session& s, const Renderer& renderer, const View& 
                  double now) {
     const float em = ImGui::GetFontSize();
     begin_docked("##bar", area, ImVec2(0.5f * em, 0.35f * em), ImGuiWindowFlags_NoDecoration);
-    const std::vector<Tool> shown = shown_tools(s.window.kiosk, renderer);
+    const std::vector<Tool> shown = shown_tools(s.window, renderer);
     const float gap = 0.5f * em;
     const bool labels = width_of(shown, true, gap) + 2 * gap < float(area.width);
     const auto right = std::ranges::find(shown, false, &Tool::left);
-    float language_button = 0;
+    float language_button = 0, share_button = 0;
     for (auto tool = shown.begin(); tool != shown.end(); ++tool) {
         if (tool == right)
             ImGui::SameLine(float(area.width) - width_of({right, shown.end()}, labels, gap));
@@ -143,9 +181,11 @@ void visitor_bar(Controls& c, Session& s, const Renderer& renderer, const View& 
         if (c.icon_button(tool->name, tool->icon, is_lit(tool->icon, s), labels))
             use(*tool, s, renderer, view, now);
         if (tool->icon == Icon::language) language_button = ImGui::GetItemRectMin().x;
+        if (tool->icon == Icon::share) share_button = ImGui::GetItemRectMin().x;
         c.explain(tool->help);
     }
     languages(c, s.window, area, language_button);
+    page_on_the_web(c, s.window, area, share_button);
     ImGui::End();
 }
 

@@ -17,6 +17,7 @@ const char* const chapel = R"({
   "format": "vantage-story-1",
   "language": "en",
   "title": {"en": "The chapel", "de": "Die Kapelle"},
+  "web": "https://example.org/chapel?from=kiosk",
   "opening": {"eye": [4512340.125, 5345210.5, 2], "target": [4512344, 5345210.5, 1], "fov": 40},
   "background": {"top": "#20262E", "bottom": "#000000", "soft_edges": 0.1},
   "limits": {"near_photos": false, "farthest": 37.5},
@@ -72,6 +73,7 @@ TEST_F(StoryFile, IsReadAsItIsWritten) {
     EXPECT_EQ(story.background->soft_edges, 0.1);
     EXPECT_FALSE(story.limits.near_photos);
     EXPECT_EQ(story.limits.farthest, 37.5);
+    EXPECT_EQ(story.web, "https://example.org/chapel?from=kiosk");
     EXPECT_EQ(story.hidden, (std::vector{StoryBall{{4512344, 5345211, 8.5}, 0.25}}));
     ASSERT_EQ(story.notes.size(), 2u);
     EXPECT_EQ(story.notes[0].text.by_language.at("en"), "Built in 1702.\nIt still runs.");
@@ -129,8 +131,8 @@ TEST_F(StoryFile, ErrorsNameThePlaceWhatWasFoundAndWhatWasExpected) {
     EXPECT_EQ(error_of(R"({"format": "vantage-story-2"})"),
               "format: found \"vantage-story-2\", expected \"vantage-story-1\"");
     EXPECT_EQ(error_of("[1, 2]"),
-              "found an array of 2, expected an object with format, language, title, opening, background, "
-              "limits, hidden, notes, tours, attract");
+              "found an array of 2, expected an object with format, language, title, web, opening, "
+              "background, limits, hidden, notes, tours, attract");
     EXPECT_EQ(error_with(R"("opening": {"eye": [0, 0, 0], "target": [1, 0, 0], "fov": 200})"),
               "opening.fov: found 200, expected a number from 0.02 to 178");
     EXPECT_EQ(error_with(R"("opening": {"eye": [0, 0, 0], "target": [1, 0]})"),
@@ -155,6 +157,8 @@ TEST_F(StoryFile, ErrorsNameThePlaceWhatWasFoundAndWhatWasExpected) {
               "limits.near_photos: found \"yes\", expected true or false");
     EXPECT_EQ(error_with(R"("limits": {"farthest": 0})"),
               "limits.farthest: found 0, expected a number from 1e-06 to 1e+12");
+    EXPECT_EQ(error_with(R"("web": "ftp://example.org")"),
+              "web: found \"ftp://example.org\", expected an address that begins with https:// or http://");
     EXPECT_EQ(error_with(R"("hidden": [{"center": [0, 0, 0], "radius": 0}])"),
               "hidden[0].radius: found 0, expected a number from 1e-12 to 1e+12");
     EXPECT_EQ(error_with(R"("attract": {"tour": "a", "turn": 30})"),
