@@ -20,11 +20,6 @@ struct Found {
     Eigen::Vector3d position;
 };
 
-Eigen::Vector3d in_mesh(const PlacedMesh& m, const Eigen::Vector3d& p) {
-    return m.R.transpose() * (p - m.t) / m.scale;
-}
-Eigen::Vector3d in_scene(const PlacedMesh& m, const Eigen::Vector3d& p) { return m.scale * (m.R * p) + m.t; }
-
 std::optional<Found> nearest(std::span<const PlacedMesh> meshes, const Ray& ray,
                              std::span<const SectionPlane> sections,
                              double farthest = std::numeric_limits<double>::infinity()) {
@@ -32,7 +27,7 @@ std::optional<Found> nearest(std::span<const PlacedMesh> meshes, const Ray& ray,
     RayRange range = behind(sections, ray);
     range.farthest = std::min(range.farthest, farthest);
     for (const PlacedMesh& m : meshes) {
-        const Ray own{in_mesh(m, ray.from), m.R.transpose() * ray.along / m.scale};
+        const Ray own{m.in_mesh(ray.from), m.R.transpose() * ray.along / m.scale};
         const auto hit = first_hit(*m.scene, own, range);
         if (hit && (!out || hit->distance < out->distance))
             out = Found{&m, hit->triangle, hit->distance, ray.from + ray.along * hit->distance};
@@ -61,7 +56,7 @@ std::optional<Found> nearest_vertex(std::span<const PlacedMesh> meshes, const Vi
         const PlanScene& scene = *found->mesh->scene;
         for (std::size_t c = 0; c < 3; ++c) {
             const std::uint32_t v = scene.indices[3 * std::size_t(found->triangle) + c];
-            const Eigen::Vector3d p = in_scene(*found->mesh, scene.positions[v].cast<double>());
+            const Eigen::Vector3d p = found->mesh->in_scene(scene.positions[v].cast<double>());
             const auto shown = project(view.intrinsics, view.cam_from_origin, p);
             const double off = shown ? (shown->pixel - pixel).norm() : reach;
             const bool cut_away = is_cut_away(snapping.sections, p);
@@ -84,7 +79,7 @@ std::optional<SurveyPoint> survey_point(const std::optional<Found>& found, const
     if (!found || !found->position.allFinite()) return {};
     const PlacedMesh& m = *found->mesh;
     SurveyPoint out{found->position + origin};
-    if (const auto pixel_size = smallest_footprint(*m.scene, found->triangle, in_mesh(m, found->position))) {
+    if (const auto pixel_size = smallest_footprint(*m.scene, found->triangle, m.in_mesh(found->position))) {
         out.uncertainty = pixel_size->size * m.scale;
         out.photo = m.scene->photos[pixel_size->photo].name;
     }

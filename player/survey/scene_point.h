@@ -18,6 +18,10 @@ struct PlacedMesh {
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
     Eigen::Vector3d t = Eigen::Vector3d::Zero();
     double scale = 1;
+
+    Eigen::Vector3d in_scene(const Eigen::Vector3d& p) const { return scale * (R * p) + t; }
+    Eigen::Vector3d in_mesh(const Eigen::Vector3d& p) const { return R.transpose() * (p - t) / scale; }
+    bool operator==(const PlacedMesh&) const = default;
 };
 
 /// Constraints on points that the user sets.

@@ -19,7 +19,7 @@ void cut(const std::array<Eigen::Vector3d, 3>& corner, const SectionPlane& plane
         if ((before[i] > 0) == (before[j] > 0) || ends == 2) continue;
         const double share = before[i] / (before[i] - before[j]);
         const Eigen::Vector3d at = corner[i] + share * (corner[j] - corner[i]);
-        line[ends++] = m.scale * (m.R * at) + m.t;
+        line[ends++] = m.in_scene(at);
     }
     if (ends == 2 && line[0].allFinite() && line[1].allFinite()) out.push_back(line);
 }
@@ -62,11 +62,17 @@ std::vector<SectionLine> section_lines(std::span<const PlacedMesh> meshes,
     for (std::size_t i = 0; i < planes.size(); ++i) {
         std::vector<SectionPlane> others(planes.begin(), planes.end());
         others.erase(others.begin() + std::ptrdiff_t(i));
-        std::vector<SectionLine> lines;
-        for (const PlacedMesh& m : meshes) cut_mesh(m, planes[i], lines);
-        for (SectionLine& line : lines)
-            if (shorten(line, others)) out.push_back(line);
+        const std::vector<SectionLine> lines = lines_in(meshes, planes[i], others);
+        out.insert(out.end(), lines.begin(), lines.end());
     }
+    return out;
+}
+
+std::vector<SectionLine> lines_in(std::span<const PlacedMesh> meshes, const SectionPlane& plane,
+                                  std::span<const SectionPlane> others) {
+    std::vector<SectionLine> out;
+    for (const PlacedMesh& m : meshes) cut_mesh(m, plane, out);
+    std::erase_if(out, [&](SectionLine& line) { return !shorten(line, others); });
     return out;
 }
 

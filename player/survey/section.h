@@ -18,6 +18,9 @@ namespace vantage {
 using SectionLine = std::array<Eigen::Vector3d, 2>;
 std::vector<SectionLine> section_lines(std::span<const PlacedMesh> meshes,
                                        std::span<const SectionPlane> planes);
+/// The lines along which one plane cuts the surface that remains after the cuts of `others`.
+std::vector<SectionLine> lines_in(std::span<const PlacedMesh> meshes, const SectionPlane& plane,
+                                  std::span<const SectionPlane> others);
 
 /// A drawing (DXF, release 12) of the lines in input coordinates, relative to `origin`.
 std::string section_dxf(std::span<const SectionLine> lines, const Eigen::Vector3d& origin);
