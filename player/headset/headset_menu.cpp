@@ -137,7 +137,7 @@ void measure_page(Controls& c, Session& s, const MenuContent& m, double now) {
     if (c.button("Undo point")) m.scene.measure.remove_last_point();
     ImGui::SameLine();
     if (c.button("Finish")) m.scene.measure.end();
-    m.scene.measure.content(c, s, now);
+    m.scene.measure.content(c, s, m.scene.objects.meshes(), now);
 }
 
 void story_page(Controls& c, Session& s, const MenuContent& m, double now) {

@@ -31,7 +31,8 @@ constexpr std::array<MeasureRow, std::size_t(Measure::count)> measure_rows{{{"po
                                                                             {"polyline", 2, any_number},
                                                                             {"area", 3, any_number},
                                                                             {"angle", 3, 3},
-                                                                            {"height", 2, 2}}};
+                                                                            {"height", 2, 2},
+                                                                            {"profile", 2, 2}}};
 const MeasureRow& row_of(Measure m) { return measure_rows[std::size_t(m)]; }
 
 /// Units of lengths and areas.
@@ -201,6 +202,7 @@ std::string note_of(const Measurement& m, const Scale& scale, const Vector3d& up
     };
     switch (m.measure) {
         case Measure::distance:
+        case Measure::profile:
             return formatted(tr("along x %s, y %s, z %s"), number(step.x()).c_str(), number(step.y()).c_str(),
                              with_unit(step.z()).c_str());
         case Measure::height:

@@ -27,6 +27,7 @@ enum class Measure {
     area,      ///< area of a polygon, on the best-fitting plane of its corners
     angle,     ///< at the second of three points, 0 to 180 degrees
     height,    ///< height of the second point above the first
+    profile,   ///< the distance between two points, with the surface along it, see profile_between()
     count
 };
 /// "point", "distance", ...

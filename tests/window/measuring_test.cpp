@@ -3,6 +3,7 @@
 #include <array>
 #include <fstream>
 #include <regex>
+#include <sstream>
 
 #include "player/survey/survey_file.h"
 #include "tests/window/shown_text.h"
@@ -93,6 +94,38 @@ TEST_F(WindowMeasures, EveryMeasureOfTheOpening) {
     EXPECT_NEAR(value(w, ++n), 3.50333, 5e-4)
         << "Backspace removes the last point, and a double-click finishes";
     EXPECT_FALSE(w.session.viewpoint.flight) << "a double-click measures instead of flying";
+}
+
+TEST_F(WindowMeasures, AProfileAcrossTheOpeningIsARecessInChartAndTable) {
+    HeadlessWindow w(package, from_photo());
+    w.resize(1400, 900);
+    w.key(GLFW_KEY_M);
+    w.choose("Measure", "profile");
+    const double between = (low + high) / 2, from = 1.6, to = 3.6;
+    click(w, {from, 0, between}), click(w, {to, 0, between});
+    EXPECT_NEAR(value(w, 1), to - from, 0.03);
+    w.point_at(w.place("Profile chart", 0.3)), w.frames(2);
+    EXPECT_TRUE(std::regex_search(shown_text(), std::regex("at 0\\.[0-9]+ units: ")))
+        << "the values under the pointer: " << shown_text();
+    w.press("Export profile");
+    std::istringstream table(written_until(w, dir / "one-profile-0001.csv",
+                                           [](const std::string& s) { return s.ends_with("\n"); }));
+    std::string line;
+    std::getline(table, line);
+    int in_wall = 0, in_recess = 0;
+    for (double s, offset, x, y, z; std::getline(table, line);) {
+        if (std::sscanf(line.c_str(), "%lf,%lf,units,%lf,%lf,%lf", &s, &offset, &x, &y, &z) != 5) continue;
+        const bool recess = x > left + 0.01 && x < right - 0.01, wall = x < left - 0.01 || x > right + 0.01;
+        in_recess += recess, in_wall += wall;
+        if (recess) EXPECT_NEAR(y, 0.7, 1e-3) << line;
+        if (wall) EXPECT_NEAR(y, 0, 1e-3) << line;
+        if (recess || wall) EXPECT_NEAR(offset, -y, 1e-3) << line;
+    }
+    EXPECT_GT(in_recess, 280);
+    EXPECT_GT(in_wall, 90);
+    w.choose("Measure", "distance");
+    click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
+    EXPECT_FALSE(w.there("Profile chart")) << "another measurement is selected";
 }
 
 TEST_F(WindowMeasures, NothingBesideTheModelAndNothingAfterEsc) {

@@ -22,8 +22,8 @@ namespace {
 
 constexpr double vertex_pixels = 10;  ///< distance within which points snap to vertices
 
-constexpr const char* measures[] = {marked("point"), marked("distance"), marked("polyline"),
-                                    marked("area"),  marked("angle"),    marked("height")};
+constexpr const char* measures[] = {marked("point"), marked("distance"), marked("polyline"), marked("area"),
+                                    marked("angle"), marked("height"),   marked("profile")};
 static_assert(std::size(measures) == std::size_t(Measure::count));
 const char* instruction(Measure measure) {
     switch (measure) {
@@ -62,7 +62,8 @@ void take_measuring_keys(Session& s) {
 MeasurePanel::MeasurePanel(const PackageReader& package)
     : package_(&package),
       origin_(Eigen::Map<const Eigen::Vector3d>(package.scene().origin)),
-      file_(survey_file_of(package.path(), package.remote())) {}
+      file_(survey_file_of(package.path(), package.remote())),
+      profile_(origin_) {}
 
 /// Another program may have changed the file since the mode was last active.
 void MeasurePanel::begin(Session& s, double now) {
@@ -114,8 +115,9 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
                      ImGuiWindowFlags_AlwaysAutoResize)) {
         keep_within(s.window.free);
         ImGui::PushItemWidth(11 * em);
-        content(c, s, now);
+        content(c, s, meshes, now);
         ImGui::PopItemWidth();
+        profile_.draw(view);
     }
     ImGui::End();
 }
@@ -234,14 +236,16 @@ std::vector<MeasurePanel::Drawn> MeasurePanel::drawn() const {
     return out;
 }
 
-void MeasurePanel::content(Controls& c, Session& s, double now) {
+void MeasurePanel::content(Controls& c, Session& s, std::span<const PlacedMesh> meshes, double now) {
     choice_of_measure(c, s.window.keyboard);
     under_pointer(c);
     scale_section(c, s.window.keyboard);
     list(c);
     selected_section(c, s, now);
+    profile_.show(c, s, meshes, survey_, selected_);
     ImGui::BeginDisabled(survey_.measurements.empty());
-    if (c.button("Export table")) s.window.commands.push_back(SaveTable{survey_csv(survey_)});
+    if (c.button("Export table"))
+        s.window.commands.push_back(SaveTable{MARKED_IN("written", "measurements"), survey_csv(survey_)});
     ImGui::EndDisabled();
     c.explain("Writes all measurements as a table (CSV) next to the package.");
     if (file_.failed())

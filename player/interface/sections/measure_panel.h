@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "player/interface/measuring/profile_chart.h"
 #include "player/interface/overlays/measure_overlay.h"
 #include "player/interface/sections/controls.h"
 #include "player/interface/state/session.h"
@@ -48,8 +49,8 @@ class MeasurePanel {
     const Survey& survey() const { return survey_; }
     /// Enters the mode, and replaces the measurements if they are still equal to `expected`.
     void restore(Session& session, const Survey& expected, const Survey& survey, double now);
-    /// The panel's controls.
-    void content(Controls& controls, Session& session, double now);
+    /// The panel's controls. `meshes`: the visible meshes.
+    void content(Controls& controls, Session& session, std::span<const PlacedMesh> meshes, double now);
     struct Drawn {
         Measurement measurement;
         std::string label;
@@ -88,6 +89,7 @@ class MeasurePanel {
     bool to_vertices_ = false, scale_bar_ = true;
     std::optional<SurveyPoint> under_;
     std::optional<std::size_t> selected_;
+    ProfileChart profile_;
     std::array<char, 256> name_{};  ///< name of the selected measurement, as edited
     double known_length_ = 0;       ///< known length of the selected distance, to set the scale
 };

@@ -26,8 +26,9 @@ struct AddObject {
 };
 /// Saves the picture, without the interface.
 struct SaveScreenshot {};
-/// Saves the measurements.
+/// Saves a table. `name`: a text in the context "written", also the end of the file's name.
 struct SaveTable {
+    const char* name;
     std::string csv;
 };
 /// Saves the objects and their placements as a scene file.

@@ -22,8 +22,8 @@ AskedFiles::~AskedFiles() {
 void AskedFiles::attend(Session& s, const PackageReader& package, const ObjectSet& objects, double now) {
     while (const auto command = take_one_of<SaveTable, SaveScene, SaveCut>(s.window.commands)) {
         if (const auto* const table = std::get_if<SaveTable>(&*command))
-            add(stem_for_files(package, "-measurements"), ".csv", tr_in("written", "measurements"),
-                [csv = table->csv](const std::string& file) { replace_file(file, csv); });
+            add(stem_for_files(package, (std::string("-") + without_context(table->name)).c_str()), ".csv",
+                tr(table->name), [csv = table->csv](const std::string& file) { replace_file(file, csv); });
         else if (std::holds_alternative<SaveScene>(*command))
             add(stem_for_files(package).replace_filename("scene"), ".toml", tr_in("written", "scene"),
                 [all = objects.objects()](const std::string& file) { write_scene_file(file, all); });

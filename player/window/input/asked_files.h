@@ -13,7 +13,7 @@
 
 namespace vantage {
 
-/// Writes files that a session requests (the table of measurements, the scene file, the drawing of the
+/// Writes files that a session requests (tables of measurements, the scene file, the drawing of the
 /// section) next to the package (see stem_for_files()), one after the other, in the background.
 class AskedFiles {
   public:

@@ -64,6 +64,7 @@ double spread(const Measurement& m, const Scale& scale) {
 TEST(Measurement, HasTheValuesOfGeometry) {
     const Vector3d far(4.5e5, 5.4e6, 120);  // as in maps
     EXPECT_NEAR(value(Measure::distance, {far, far + Vector3d(3, 4, 12)}), 13, 1e-8);
+    EXPECT_NEAR(value(Measure::profile, {far, far + Vector3d(3, 4, 12)}), 13, 1e-8);
     EXPECT_NEAR(value(Measure::polyline, {far, far + Vector3d(3, 4, 0), far + Vector3d(3, 4, 2)}), 7, 1e-8);
     EXPECT_NEAR(value(Measure::area, tilted_l_shape(far)), 4, 1e-7);
     EXPECT_NEAR(value(Measure::angle, {Vector3d(2, 0, 0), Vector3d(0, 0, 0), Vector3d(-1, 1, 0)}), 135,

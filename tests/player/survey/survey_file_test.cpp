@@ -20,6 +20,7 @@ Survey door() {
                               {{{450000.123456789, 5400000.987654321, 1.0 / 3}, 0.0021, "0003.jpg"},
                                {{450000.123456789, 5400000.987654321, 2.5}, {}, ""}}});
     s.measurements.push_back({"", Measure::point, {{{0, -1e-17, 3}, 0.5, "a.jpg"}}});
+    s.measurements.push_back({"", Measure::profile, {{{0, 0, 1}, {}, ""}, {{2, 0, 1}, {}, ""}}});
     return s;
 }
 
@@ -49,8 +50,8 @@ TEST_F(SurveyFiles, KeepEveryDigit) {
     const Survey expected = door();
     EXPECT_EQ(read.scale, expected.scale);
     EXPECT_EQ(read.up, expected.up);
-    ASSERT_EQ(read.measurements.size(), 2u);
-    for (std::size_t i = 0; i < 2; ++i) {
+    ASSERT_EQ(read.measurements.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
         const Measurement &a = read.measurements[i], &b = expected.measurements[i];
         EXPECT_EQ(a.name, b.name);
         EXPECT_EQ(a.measure, b.measure);
