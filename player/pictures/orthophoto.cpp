@@ -58,6 +58,10 @@ RenderSettings orthophoto_settings(const PackageReader& package, const Orthophot
     settings.fill_holes = o.blending.holes == "shade";
     settings.fill_background = false;
     settings.light = light_settings(o.light);
+    if (o.cuts.size() > max_sections)
+        throw Error(Exit::usage, formatted("--cut: expected at most %zu planes", max_sections));
+    const Eigen::Map<const Eigen::Vector3d> origin(package.scene().origin);
+    for (const std::string& cut : o.cuts) settings.sections.push_back(parse_section(cut, origin));
     return settings;
 }
 

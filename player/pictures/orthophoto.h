@@ -22,10 +22,11 @@ struct OrthophotoOptions {
     MemoryOptions memory;
     BlendingOptions blending;
     LightOptions light;
-    std::string plane = "top";  ///< see parse_plane
-    std::string extent;         ///< see parse_extent; empty: the model's extent
-    double resolution = 0;      ///< input units per pixel
-    int samples = 2;            ///< per side of a pixel
+    std::string plane = "top";      ///< see parse_plane
+    std::string extent;             ///< see parse_extent; empty: the model's extent
+    std::vector<std::string> cuts;  ///< see parse_section
+    double resolution = 0;          ///< input units per pixel
+    int samples = 2;                ///< per side of a pixel
 };
 
 /// A rectangle of a plane that is rendered as a picture.

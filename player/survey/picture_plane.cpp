@@ -93,6 +93,22 @@ Eigen::AlignedBox2d parse_extent(const std::string& text) {
     return {Eigen::Vector2d(v[0], v[1]), Eigen::Vector2d(v[2], v[3])};
 }
 
+SectionPlane parse_section(const std::string& text, const Vector3d& origin) {
+    const std::vector<double> v = numbers_in(text);
+    const Vector3d normal = v.size() == 6 ? Vector3d(v[3], v[4], v[5]) : Vector3d::Zero();
+    if (!(normal.stableNorm() > 0))
+        throw Error(Exit::usage, "--cut " + text +
+                                     ": expected a point on the plane and the normal toward the removed "
+                                     "part: PX,PY,PZ,NX,NY,NZ");
+    const Vector3d toward = normal.stableNormalized();
+    return {toward, toward.dot(Vector3d(v[0], v[1], v[2]) - origin)};
+}
+
+std::string section_text(const SectionPlane& s, const Vector3d& origin) {
+    const Vector3d at = origin + s.offset * s.normal, &n = s.normal;
+    return formatted("%.15g,%.15g,%.15g,%.15g,%.15g,%.15g", at.x(), at.y(), at.z(), n.x(), n.y(), n.z());
+}
+
 std::string world_file_text(const Eigen::Vector2d& upper_left, double resolution) {
     const double half = resolution / 2;
     return formatted("%.15g\n0\n0\n%.15g\n%.15g\n%.15g\n", resolution, -resolution, upper_left.x() + half,

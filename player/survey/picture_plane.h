@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
+#include "player/plan/section_plane.h"
 #include "scene/package/package_reader.h"
 
 namespace vantage {
@@ -25,6 +26,12 @@ PicturePlane parse_plane(const std::string& text, const Eigen::Vector3d& scene_u
 Eigen::AlignedBox2d extent_on(const PicturePlane& plane, const package::SceneRecord& scene);
 /// "LEFT,BOTTOM,RIGHT,TOP". Throws Error(usage).
 Eigen::AlignedBox2d parse_extent(const std::string& text);
+
+/// Parses a plane that cuts the model: a point in input coordinates, and the normal toward the removed part,
+/// six numbers separated by commas. `origin`: the package's. Throws Error(usage).
+SectionPlane parse_section(const std::string& text, const Eigen::Vector3d& origin);
+/// The inverse of parse_section().
+std::string section_text(const SectionPlane& section, const Eigen::Vector3d& origin);
 
 /// The six lines of a world file (ESRI), which map columns and rows of a picture to x and y of the plane: the
 /// steps per pixel and the center of the upper left pixel.

@@ -26,6 +26,11 @@ void add_orthophoto(const Command& program) {
     c.text("--extent", o->extent,
            "LEFT,BOTTOM,RIGHT,TOP in coordinates of the plane (default: the whole model)")
         .group(group);
+    c.list("--cut", o->cuts,
+           "cut the model with a plane (at most 6): a point on it and the normal toward the removed part, "
+           "PX,PY,PZ,NX,NY,NZ")
+        .one_word()
+        .group(group);
     c.integer("--samples", o->samples, 1, 8, "samples per side of a pixel").group(group);
     c.notes(
         "Writes a picture, transparent outside the model: a GeoTIFF (.tif), or a PNG with a world file\n"

@@ -1,10 +1,16 @@
 #pragma once
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "player/interface/state/session.h"
 #include "player/window/child_program.h"
 
 namespace vantage {
+
+/// The command line of this program that writes the requested orthophoto of what the session shows.
+std::vector<std::string> orthophoto_arguments(const Session& session, const PackageReader& package,
+                                              const std::string& file);
 
 /// Writes the orthophotos that a session requests, one at a time, while the window remains usable.
 class OrthophotoWriter {

@@ -11,6 +11,8 @@
 #include "player/interface/help_panel.h"
 #include "player/render/passes/blend_table.h"
 #include "player/render/picture.h"
+#include "player/survey/picture_plane.h"
+#include "player/window/orthophoto_writer.h"
 #include "tests/generated_table.h"
 #include "tests/window/shown_text.h"
 #include "tests/window/window_test.h"
@@ -251,6 +253,21 @@ TEST_F(WindowShows, OrthophotosAreAskedForAndReported) {
     EXPECT_EQ(o.file, OrthophotoRequest::File::tiff);
     w.choose("Written as", "PNG and world file");
     EXPECT_FALSE(o.writing);
+    w.press("Cut the model");
+    w.choose("Across", "z");
+    w.session.photos = {0, 1, 3, 4};
+    w.session.settings.light.light = Light::raking;
+    const std::vector<std::string> arguments = orthophoto_arguments(w.session, w.package(), "front.png");
+    const auto value = [&](const std::string& option) {
+        const auto at = std::ranges::find(arguments, option);
+        return at == arguments.end() ? "none" : *(at + 1);
+    };
+    const std::vector<SectionPlane>& planes = w.session.settings.sections;
+    ASSERT_EQ(planes.size(), 1u);
+    const Eigen::Map<const Eigen::Vector3d> origin(w.package().scene().origin);
+    EXPECT_NEAR(parse_section(value("--cut"), origin).offset, planes[0].offset, 1e-9) << "the cut is missing";
+    EXPECT_EQ(value("--exclude"), w.package().photos()[2].name);
+    EXPECT_EQ(value("--light"), "raking");
 }
 
 TEST_F(WindowShows, PointsAndComparisonsAreInPerspective) {

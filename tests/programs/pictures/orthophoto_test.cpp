@@ -271,6 +271,18 @@ TEST_F(OrthophotoProgram, AsGeoTiffIsTheSamePictureAndTellsItsPlace) {
     EXPECT_EQ(std::ranges::count(says(), '\n'), 1) << says();
 }
 
+TEST_F(OrthophotoProgram, LeavesOutWhatPlanesCutAway) {
+    const std::string all = "--plane front --resolution 0.1 --extent -4,0,4,6 --holes shade";
+    const Picture whole = picture(all), part = picture(all + " --cut -1,0,2,0,0,2 --cut=-2,0,0,-1,0,0");
+    for (int y = 0; y < whole.height; ++y)
+        for (int x = 0; x < whole.width; ++x) {
+            const bool removed = y < 40 || x < 20;
+            if (y == 39 || y == 40 || x == 19 || x == 20) continue;  // at the planes
+            ASSERT_EQ(pixel(whole, x, y)[3], 255);
+            ASSERT_EQ(pixel(part, x, y)[3], removed ? 0 : 255) << x << " " << y;
+        }
+}
+
 TEST_F(OrthophotoProgram, RefusesWhatCannotBeInOneLine) {
     const auto refuses = [&](const std::string& options, int code) {
         EXPECT_EQ(run(options), code) << options;
@@ -280,6 +292,7 @@ TEST_F(OrthophotoProgram, RefusesWhatCannotBeInOneLine) {
     refuses("--plane north --resolution 0.1" + to, 2);
     refuses("--extent 3,0,1,1 --resolution 0.1" + to, 2);
     refuses("--resolution 1e-9" + to, 2);
+    refuses("--resolution 0.1 --cut 0,0,1" + to, 2);
     refuses("--resolution 0.1 -o " + (dir / "x.jpg").string(), 2);
     refuses("--resolution 0.1 -o " + (dir / "missing").string() + "/.png", 2);
     std::ofstream(dir / "x.pgw") << "my notes\n";
