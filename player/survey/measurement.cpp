@@ -160,8 +160,9 @@ Derived area(std::span<const Vector3d> p, double& off_plane) {
 std::optional<double> propagated(const Measurement& m, std::span<const Vector3d> slopes) {
     double squares = 0;
     for (std::size_t i = 0; i < slopes.size(); ++i) {
-        if (!m.points[i].uncertainty) return {};
-        squares += std::pow(*m.points[i].uncertainty, 2) * slopes[i].squaredNorm();
+        const std::optional<double> of_point = uncertainty_of(m.points[i]);
+        if (!of_point) return {};
+        squares += std::pow(*of_point, 2) * slopes[i].squaredNorm();
     }
     return std::sqrt(squares);
 }
@@ -183,8 +184,16 @@ void scale_by(Measured& m, const Scale& scale, int dimension) {
         m.uncertainty = std::hypot(*m.uncertainty * factor, dimension * *m.value * scale.relative);
 }
 
+/// The length of this distance is known, so the errors of its points have no effect.
+bool sets_scale(const Measurement& m, const Scale& scale) {
+    return m.measure == Measure::distance && scale.between &&
+           std::ranges::equal(positions_of(m), *scale.between);
+}
+
+bool is_uncertain(const Measured& m) { return m.uncertainty && *m.uncertainty > 0; }
+
 std::string number_text_of(const Measured& m) {
-    return m.uncertainty ? number_text(*m.value, *m.uncertainty) : number_text(*m.value, 6, m.size);
+    return is_uncertain(m) ? number_text(*m.value, *m.uncertainty) : number_text(*m.value, 6, m.size);
 }
 
 std::string note_of(const Measurement& m, const Scale& scale, const Vector3d& up, double off_plane) {
@@ -222,7 +231,7 @@ std::string note_of(const Measurement& m, const Scale& scale, const Vector3d& up
 
 Measured point(const Measurement& m) {
     const SurveyPoint& p = m.points.front();
-    return {{}, p.uncertainty, "units", 0, coordinates_text(p)};
+    return {{}, uncertainty_of(p), "units", 0, coordinates_text(p)};
 }
 
 bool is_finite(const Measured& m) {
@@ -242,6 +251,11 @@ std::optional<Measure> measure_named(std::string_view name) {
 
 std::size_t fewest_points(Measure measure) { return row_of(measure).fewest; }
 std::size_t max_points(Measure measure) { return row_of(measure).most; }
+
+std::optional<double> uncertainty_of(const SurveyPoint& p) {
+    if (!p.uncertainty) return {};
+    return std::hypot(*p.uncertainty, p.pointing);
+}
 
 Measured evaluate(const Measurement& m, const Scale& scale, const Vector3d& up) {
     if (m.points.size() < fewest_points(m.measure)) return {.note = tr("too few points")};
@@ -267,6 +281,7 @@ Measured evaluate(const Measurement& m, const Scale& scale, const Vector3d& up) 
         if (is_area) out.size = extent * extent;
         scale_by(out, scale, is_area ? 2 : 1);
     }
+    if (out.uncertainty && sets_scale(m, scale)) out.uncertainty = 0;
     if (!is_finite(out)) return {.note = tr("no value: the points are too far apart")};
     if (!out.value) out.uncertainty.reset();
     if (out.note.empty()) out.note = note_of(m, scale, up, off_plane);
@@ -274,12 +289,13 @@ Measured evaluate(const Measurement& m, const Scale& scale, const Vector3d& up) 
 }
 
 std::string coordinates_text(const SurveyPoint& p) {
+    const std::optional<double> uncertainty = uncertainty_of(p);
     std::string out;
     for (int axis = 0; axis < 3; ++axis) {
         const double v = p.position[axis];
         out += std::string(axis ? "   " : "") + "xyz"[axis] + " " +
-               (p.uncertainty ? number_text(v, *p.uncertainty)
-                              : number_text(v, 10, p.position.cwiseAbs().maxCoeff()));
+               (uncertainty ? number_text(v, *uncertainty)
+                            : number_text(v, 10, p.position.cwiseAbs().maxCoeff()));
     }
     return out;
 }
@@ -288,7 +304,7 @@ std::string text_of(const Measured& m) {
     if (!m.value) return localized_numbers(m.note);
     const std::string unit =
         *m.unit ? std::string(m.unit) == "°" ? m.unit : std::string(" ") + tr_in("unit", m.unit) : "";
-    const std::string uncertainty = m.uncertainty ? " ± " + uncertainty_text(*m.uncertainty) : "";
+    const std::string uncertainty = is_uncertain(m) ? " ± " + uncertainty_text(*m.uncertainty) : "";
     return localized_numbers(number_text_of(m) + uncertainty) + unit;
 }
 

@@ -16,8 +16,12 @@ struct SurveyPoint {
     std::optional<double>
         uncertainty{};  ///< standard uncertainty per coordinate, see smallest_footprint(); nullopt if unknown
     std::string photo{};  ///< the photo that has the smallest footprint; empty if unknown
+    double pointing = 0;  ///< standard uncertainty of pointing, per coordinate
     bool operator==(const SurveyPoint&) const = default;
 };
+
+/// The standard uncertainty of each coordinate, including that of pointing; nullopt if unknown.
+std::optional<double> uncertainty_of(const SurveyPoint& point);
 
 /// Kind of a measurement.
 enum class Measure {
@@ -48,10 +52,11 @@ struct Measurement {
 struct Measured {
     std::optional<double>
         value{};  ///< nullopt if invalid, with the reason in `note`; always nullopt for Measure::point
-    std::optional<double> uncertainty{};  ///< standard uncertainty; nullopt if that of a point is unknown
-    const char* unit = "";                ///< such as "cm", "cm2", "deg"
-    double size = 0;                      ///< magnitude of such a value, see number_text()
-    std::string note{};                   ///< additional remark, or empty
+    /// Standard uncertainty; nullopt if that of a point is unknown. 0 for the distance that sets the scale.
+    std::optional<double> uncertainty{};
+    const char* unit = "";  ///< such as "cm", "cm2", "deg"
+    double size = 0;        ///< magnitude of such a value, see number_text()
+    std::string note{};     ///< additional remark, or empty
 };
 
 /// Evaluates a measurement; `up` is a unit vector in input coordinates. Uncertainties are propagated to first

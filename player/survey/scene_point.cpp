@@ -12,6 +12,9 @@
 namespace vantage {
 namespace {
 
+/// The standard uncertainty of pointing, in pixels of the view.
+constexpr double pointing_pixels = 0.5;
+
 /// A point on one of the meshes, relative to the scene's origin.
 struct Found {
     const PlacedMesh* mesh;
@@ -74,14 +77,19 @@ std::optional<Found> nearest_vertex(std::span<const PlacedMesh> meshes, const Vi
     return best;
 }
 
-/// The found point, with the uncertainty from its photos.
-std::optional<SurveyPoint> survey_point(const std::optional<Found>& found, const Eigen::Vector3d& origin) {
+/// The found point, with the uncertainty from its photos and, if given, that of pointing in a view.
+std::optional<SurveyPoint> survey_point(const std::optional<Found>& found, const Eigen::Vector3d& origin,
+                                        const View* pointed = nullptr) {
     if (!found || !found->position.allFinite()) return {};
     const PlacedMesh& m = *found->mesh;
     SurveyPoint out{found->position + origin};
     if (const auto pixel_size = smallest_footprint(*m.scene, found->triangle, m.in_mesh(found->position))) {
         out.uncertainty = pixel_size->size * m.scale;
         out.photo = m.scene->photos[pixel_size->photo].name;
+    }
+    if (pointed) {
+        const Intrinsics& k = pointed->intrinsics;
+        out.pointing = pointing_pixels * depth_in(*pointed, found->position) / std::sqrt(k.fx * k.fy);
     }
     return out;
 }
@@ -90,10 +98,10 @@ std::optional<SurveyPoint> survey_point(const std::optional<Found>& found, const
 
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
                                        const View& view, const Eigen::Vector2d& pixel, Snapping snapping) {
-    std::optional<Found> found;
-    if (snapping.vertex_pixels > 0) found = nearest_vertex(meshes, view, pixel, snapping);
-    if (!found) found = nearest(meshes, ray_through(view, pixel), snapping.sections);
-    return survey_point(found, origin);
+    if (snapping.vertex_pixels > 0)
+        if (const auto vertex = nearest_vertex(meshes, view, pixel, snapping))
+            return survey_point(vertex, origin);
+    return survey_point(nearest(meshes, ray_through(view, pixel), snapping.sections), origin, &view);
 }
 
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,

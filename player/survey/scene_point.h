@@ -32,13 +32,13 @@ struct Snapping {
 };
 
 /// The nearest point on the meshes at `pixel` in the view's picture, in coordinates of the scene's first
-/// input, whose origin is `origin`. Its uncertainty comes from the photos that see it. Returns nullopt if
-/// there is no surface.
+/// input, whose origin is `origin`. Its uncertainty comes from the photos that see it and, unless it is a
+/// vertex, from pointing to within half a pixel of the view. Returns nullopt if there is no surface.
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
                                        const View& view, const Eigen::Vector2d& pixel,
                                        Snapping snapping = {});
 
-/// Like scene_point() for a pixel, but along a ray in the scene.
+/// Like scene_point() for a pixel, but along a ray in the scene, and without an uncertainty of pointing.
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
                                        const Ray& ray, std::span<const SectionPlane> sections = {});
 

@@ -29,9 +29,12 @@ std::optional<std::string> content_of(const std::filesystem::path& path) {
 
 Json optional_number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
+/// Negative zeros become zero.
+Json json_of(const Eigen::Vector3d& v) { return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}; }
+
 Json json_of(const SurveyPoint& p) {
-    Json out{{"position", {p.position.x(), p.position.y(), p.position.z()}},
-             {"uncertainty", optional_number(p.uncertainty)}};
+    Json out{{"position", json_of(p.position)}, {"uncertainty", optional_number(p.uncertainty)}};
+    if (p.pointing > 0) out["pointing"] = p.pointing;
     if (!p.photo.empty()) out["photo"] = p.photo;
     return out;
 }
@@ -70,6 +73,11 @@ Scale scale_in(const LocatedJson& j) {
               number_in(j, "relative_uncertainty")};
     if (!(out.length > 0)) j.at("length").fail("a number above 0");
     if (!(out.relative >= 0)) j.at("relative_uncertainty").fail("a number of at least 0");
+    if (j.has("between")) {
+        const std::vector<LocatedJson> ends = j.at("between").items(2);
+        if (ends.size() != 2) j.at("between").fail("two points");
+        out.between = {ends[0].vector(), ends[1].vector()};
+    }
     if (out.unit == Unit::unknown) out = {};
     return out;
 }
@@ -78,6 +86,7 @@ SurveyPoint point_in(const LocatedJson& j) {
     SurveyPoint out{j.at("position").vector()};
     if (const LocatedJson uncertainty = j.at("uncertainty"); !uncertainty.is_null())
         out.uncertainty = uncertainty.number(0, most);
+    if (j.has("pointing")) out.pointing = j.at("pointing").number(0, most);
     if (j.has("photo")) out.photo = text_in(j, "photo");
     return out;
 }
@@ -104,14 +113,16 @@ SurveyFile survey_file_of(const std::filesystem::path& package, bool remote) {
 std::string survey_text(const Survey& s) {
     Json list = Json::array();
     for (const Measurement& m : s.measurements) list.push_back(json_of(m, s));
+    Json scale{{"length", s.scale.length},
+               {"unit", name_of(s.scale.unit)},
+               {"shown", name_of(shown_unit(s.scale))},
+               {"relative_uncertainty", s.scale.relative}};
+    if (s.scale.between)
+        scale["between"] = {json_of(s.scale.between->front()), json_of(s.scale.between->back())};
     const Json all{{"format", format},
                    {"version", version},
-                   {"up", {s.up.x(), s.up.y(), s.up.z()}},
-                   {"scale",
-                    {{"length", s.scale.length},
-                     {"unit", name_of(s.scale.unit)},
-                     {"shown", name_of(shown_unit(s.scale))},
-                     {"relative_uncertainty", s.scale.relative}}},
+                   {"up", json_of(s.up)},
+                   {"scale", scale},
                    {"measurements", list}};
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,4 +1,6 @@
 #pragma once
+#include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -18,6 +20,8 @@ struct Scale {
     Unit unit = Unit::unknown;   ///< unknown: `length` is 1
     Unit shown = Unit::unknown;  ///< if unknown, the same as `unit`
     double relative = 0;         ///< standard uncertainty of `length`, as a fraction of it
+    /// The points, in input coordinates, of the distance whose known length determined `length`.
+    std::optional<std::array<Eigen::Vector3d, 2>> between{};
     bool operator==(const Scale&) const = default;
 };
 

@@ -275,13 +275,14 @@ void MeasurePanel::under_pointer(Controls& c) const {
     ImGui::Separator();
     ImGui::TextDisabled("%s", tr("Under the pointer, in the input's coordinates"));
     ImGui::TextUnformatted(under_ ? localized_numbers(coordinates_text(*under_)).c_str() : tr("no surface"));
-    if (under_ && under_->uncertainty)
-        ImGui::TextDisabled(tr("± %s, a pixel of %s"),
-                            localized_numbers(uncertainty_text(*under_->uncertainty)).c_str(),
-                            under_->photo.c_str());
+    if (const auto uncertainty = under_ ? uncertainty_of(*under_) : std::nullopt)
+        ImGui::TextDisabled(tr("± %s, finest pixels in %s"),
+                            localized_numbers(uncertainty_text(*uncertainty)).c_str(), under_->photo.c_str());
     else
         ImGui::TextDisabled("%s", under_ ? tr("uncertainty unknown: no photo sees the point") : " ");
-    c.explain("Standard uncertainty: the size of a pixel there, in the photo with the finest pixels.");
+    c.explain(
+        "Standard uncertainty: the size of a pixel there in the photo with the finest pixels, and half a "
+        "pixel of this view for pointing. Move closer to point more precisely.");
 }
 
 void MeasurePanel::scale_section(Controls& c, bool keyboard) {
@@ -375,6 +376,8 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
             if (scale) {
                 survey_.scale = *scale;
                 survey_.scale.shown = shown;
+                const std::vector<SurveyPoint>& ends = survey_.measurements[at].points;
+                survey_.scale.between = {ends.front().position, ends.back().position};
                 changed();
             } else {
                 say(s.message, tr("A scale needs two different points and a length above 0"), now);

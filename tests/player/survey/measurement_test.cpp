@@ -50,7 +50,8 @@ double spread(const Measurement& m, const Scale& scale) {
     for (int i = 0; i < trials; ++i) {
         Measurement moved = m;
         for (SurveyPoint& p : moved.points)
-            p.position += *p.uncertainty * Vector3d(normal(engine), normal(engine), normal(engine));
+            for (const double by : {*p.uncertainty, p.pointing})
+                p.position += by * Vector3d(normal(engine), normal(engine), normal(engine));
         Scale erring = scale;
         erring.length *= 1 + scale.relative * normal(engine);
         const double v = *evaluate(moved, erring, up).value;
@@ -92,6 +93,7 @@ TEST(Measurement, StatesTheSpreadThatItsPointsGiveIt) {
                                  measurement(Measure::height, {{0, 0, 0}, {1, 2, 0.5}})};
     for (Measurement& m : all) {
         m.points.front().uncertainty = 0.03;  // not all alike
+        m.points.back().pointing = 0.04;
         const double expected = spread(m, scale);
         EXPECT_NEAR(*evaluate(m, scale, up).uncertainty, expected, 0.05 * expected) << name_of(m.measure);
     }
@@ -112,6 +114,15 @@ TEST(Measurement, ConvertsLengthsAndAreas) {
     EXPECT_NEAR(*evaluate(measurement(Measure::distance, {{0, 0, 0}, {4, 0, 0}}), *scale, up).value, 600,
                 1e-9);
     EXPECT_NEAR(scale->relative, 0.005, 1e-12);
+}
+
+TEST(Measurement, TheDistanceThatSetsTheScaleIsAsCertainAsItsKnownLength) {
+    const Measurement known = measurement(Measure::distance, {{0, 0, 0}, {2, 0, 0}}),
+                      other = measurement(Measure::distance, {{0, 0, 0}, {0, 2, 0}});
+    Scale scale = *scale_from(2, *evaluate(known, {}, up).uncertainty, 8.56, Unit::m);
+    scale.between = {known.points[0].position, known.points[1].position};
+    EXPECT_EQ(text_of(evaluate(known, scale, up)), "8.56 m") << "its points' errors are in the scale";
+    EXPECT_EQ(text_of(evaluate(other, scale, up)), "8.560 ± 0.086 m") << "with its own error and the scale's";
 }
 
 TEST(Measurement, RefusesScalesThatAreNone) {

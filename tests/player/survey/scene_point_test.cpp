@@ -38,6 +38,8 @@ TEST(ScenePoint, IsInTheCoordinatesOfTheFirstInput) {
         EXPECT_LT((point->position - origin - p).norm(), 1e-8);
         ASSERT_EQ(point->uncertainty.has_value(), p.z() == 5) << "the first mesh has no photos";
         EXPECT_NEAR(point->uncertainty.value_or(0.03), 3 * 0.01, 1e-9);
+        const double pixel = (20 + p.z()) / view.intrinsics.fx;  // the view looks slightly askew
+        EXPECT_NEAR(point->pointing, pixel / 2, 0.02 * pixel);
     }
     const View away = view_towards({0, 0, -20}, {0, 0, -30}, {0, 1, 0}, 45, 800, 600);
     EXPECT_FALSE(scene_point(meshes, origin, away, {400, 300}));
@@ -58,6 +60,7 @@ TEST(ScenePoint, SnapsToVerticesInSight) {
         const auto snapped = scene_point(meshes, Vector3d::Zero(), view, at + off, {{}, 10});
         ASSERT_TRUE(snapped) << off.transpose();
         EXPECT_LT((snapped->position - corner).norm(), 1e-6) << off.transpose();
+        EXPECT_EQ(snapped->pointing, 0) << "the vertex is exact";
     }
     EXPECT_FALSE(scene_point(meshes, Vector3d::Zero(), view, at + Eigen::Vector2d(15, 15), {{}, 10}));
     const auto behind = scene_point(meshes, Vector3d::Zero(), view, pixel_of(view, hidden), {{}, 2});

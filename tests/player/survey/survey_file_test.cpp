@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <regex>
 
 #include "base/text/error.h"
 #include "tests/temporary_folder.h"
@@ -14,11 +15,12 @@ namespace fs = std::filesystem;
 namespace {
 
 Survey door() {
-    Survey s{{0.5, Unit::m, Unit::cm, 0.001}, Eigen::Vector3d(0, 0.6, 0.8), {}};
-    s.measurements.push_back({"Door \"west\", \u00e9tage 1",
-                              Measure::distance,
-                              {{{450000.123456789, 5400000.987654321, 1.0 / 3}, 0.0021, "0003.jpg"},
-                               {{450000.123456789, 5400000.987654321, 2.5}, {}, ""}}});
+    const Eigen::Vector3d low(450000.123456789, 5400000.987654321, 1.0 / 3);
+    Survey s{{0.5, Unit::m, Unit::cm, 0.001, {{low, {0, 0, 1}}}}, Eigen::Vector3d(-0.0, 0.6, 0.8), {}};
+    s.measurements.push_back(
+        {"Door \"west\", \u00e9tage 1",
+         Measure::distance,
+         {{low, 0.0021, "0003.jpg", 0.0125}, {{450000.123456789, 5400000.987654321, 2.5}, {}, ""}}});
     s.measurements.push_back({"", Measure::point, {{{0, -1e-17, 3}, 0.5, "a.jpg"}}});
     s.measurements.push_back({"", Measure::profile, {{{0, 0, 1}, {}, ""}, {{2, 0, 1}, {}, ""}}});
     return s;
@@ -60,10 +62,20 @@ TEST_F(SurveyFiles, KeepEveryDigit) {
             EXPECT_EQ(a.points[p].position, b.points[p].position);
             EXPECT_EQ(a.points[p].uncertainty, b.points[p].uncertainty);
             EXPECT_EQ(a.points[p].photo, b.points[p].photo);
+            EXPECT_EQ(a.points[p].pointing, b.points[p].pointing);
         }
     }
     EXPECT_EQ(std::distance(fs::directory_iterator(dir), fs::directory_iterator()), 1)
         << "no other file must remain";
+    std::string text = slurp(path);
+    EXPECT_EQ(text.find("-0.0"), std::string::npos) << "a direction has no negative zeros";
+    // Files of older versions lack these keys.
+    text = std::regex_replace(text, std::regex(" *\"pointing\": [^,\n]*,?\n"), "");
+    text = std::regex_replace(text, std::regex(",\\s*\"between\": \\[[^}]*"), "");
+    put(std::regex_replace(text, std::regex(",(\\s*})"), "$1"));
+    const Survey old = read_survey(file, {});
+    EXPECT_FALSE(old.scale.between);
+    EXPECT_EQ(uncertainty_of(old.measurements[0].points[0]), 0.0021) << "as before";
 }
 
 TEST_F(SurveyFiles, AreRefusedInOneLineAndLeftAlone) {
