@@ -41,8 +41,7 @@ void write(Picture& p, const PictureText& text, const std::string& words, int x,
     });
 }
 
-void draw_map(Picture& p, const Box& bar, ColorMap map, int isolines) {
-    const ColorTable table = color_table(map);
+void draw_map(Picture& p, const Box& bar, const ColorTable& table, int isolines) {
     for (int x = 0; x < bar.width; ++x) {
         const auto& color = table[std::size_t(256 * x / bar.width)];
         fill(p, {bar.left + x, bar.top, 1, bar.height}, {color[0], color[1], color[2]}, 1);
@@ -64,7 +63,7 @@ bool PictureLegend::draw(Picture& p, const ScalarField& field, const FieldSettin
     const int line = std::max(smallest_line, p.height / lines_per_picture), space = line / 2;
     if (!text_ || text_->line() != line) text_.emplace(line);
     const PictureText& text = *text_;
-    const auto [map, range] = field_legend(field, settings);
+    const auto [map, range, center] = field_legend(field, settings);
     const auto values = value_texts(range, settings.logarithmic);
     const std::array<int, 3> widths{text.width(values[0]), text.width(values[1]), text.width(values[2])};
     const char* unit = unit_of(field);
@@ -80,7 +79,7 @@ bool PictureLegend::draw(Picture& p, const ScalarField& field, const FieldSettin
     write(p, text, field.name, left, top, white);
     if (unit) write(p, text, unit, left, top += line, gray);
     const Box bar{left, top + line + space / 2, width, line};
-    draw_map(p, bar, map, settings.isolines);
+    draw_map(p, bar, color_table(map, center), settings.isolines);
     top = bar.top + bar.height + space / 4;
     write(p, text, values[0], left, top, white);
     write(p, text, values[1], left + (width - widths[1]) / 2, top, white);

@@ -114,7 +114,7 @@ Picture panorama_of(ObjectSet& scene, StereoPicture& stereo, const PackageReader
 void print_legend(const Renderer& renderer, const RenderSettings& settings) {
     const ScalarField* const field = renderer.resources().fields.shown(settings);
     if (!field) return;
-    const auto [map, range] = field_legend(*field, settings.field);
+    const auto [map, range, center] = field_legend(*field, settings.field);
     std::fprintf(text_output(), "field %s  %s to %s, %s%s\n", field->name.c_str(),
                  value_text(range.low, range).c_str(), value_text(range.high, range).c_str(), name_of(map),
                  settings.field.logarithmic ? ", logarithmic" : "");

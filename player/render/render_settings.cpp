@@ -36,8 +36,10 @@ PlanSettings plan_settings(const RenderSettings& s, int anisotropy) {
 FieldLegend field_legend(const ScalarField& field, const FieldSettings& s) {
     const ValueRange whole = s.range.value_or(whole_range(field, false, s.logarithmic));
     const ColorMap map = chosen_map(s.map, whole.low, whole.high);
-    if (s.range) return {map, *s.range};
-    return {map, whole_range(field, map == ColorMap::coolwarm && !s.logarithmic, s.logarithmic)};
+    const bool diverges = map == ColorMap::coolwarm && !s.logarithmic;
+    const ValueRange range = s.range.value_or(whole_range(field, diverges, s.logarithmic));
+    const bool has_zero = diverges && range.low < 0 && range.high > 0;
+    return {map, range, has_zero ? range.low / (range.low - range.high) : 0.5};
 }
 
 const char* unit_of(const ScalarField& field) {

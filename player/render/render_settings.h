@@ -62,6 +62,7 @@ struct LightSettings {
 struct FieldLegend {
     ColorMap map;
     ValueRange range;
+    double center = 0.5;  ///< the position of 0 in a diverging color map, see color_table()
 };
 FieldLegend field_legend(const ScalarField& field, const FieldSettings& settings);
 

@@ -19,6 +19,7 @@
 #include "player/interface/overlays/frusta.h"
 #include "player/interface/overlays/radar_panel.h"
 #include "player/interface/overlays/surface_at_pixel.h"
+#include "player/interface/sections/field_section.h"
 #include "player/interface/sections/object_section.h"
 #include "player/interface/sections/photo_list_section.h"
 #include "player/interface/sidebar.h"
@@ -176,6 +177,8 @@ void ShownScene::interface(const View& view, double now) {
         menu_bar(controls_, s, scene_.renderer, now);
         if (sidebar(controls_, s, {scene_.renderer, scene_.objects, view}, layout_.sidebar, now))
             picture_.refine_again();
+    } else {
+        field_legend_panel(controls_, s.settings.field, scene_.renderer, view, s.window.free);
     }
     show_cut(view);
     scene_.measure.show(

@@ -270,6 +270,22 @@ TEST_F(WindowShows, OrthophotosAreAskedForAndReported) {
     EXPECT_EQ(value("--light"), "raking");
 }
 
+TEST_F(WindowShows, AFieldHasALegendWithoutTheSidebar) {
+    ShowOptions options;
+    options.field.name = "height";
+    HeadlessWindow w(package_of(WindowScene::garden), options);
+    w.resize(1200, 3000);
+    EXPECT_FALSE(w.there("Legend")) << "the sidebar has it";
+    w.press("More Scalar fields");
+    EXPECT_TRUE(w.there("Logarithmic"));
+    w.key(GLFW_KEY_TAB);
+    EXPECT_TRUE(w.there("Legend"));
+    EXPECT_NE(shown_text().find("height"), std::string::npos) << shown_text();
+    w.session.settings.field.range = ValueRange{-1, 5};
+    w.frames();
+    EXPECT_NE(shown_text().find("-1 0 5"), std::string::npos) << "the place of zero: " << shown_text();
+}
+
 TEST_F(WindowShows, PointsAndComparisonsAreInPerspective) {
     {
         HeadlessWindow w(package_of(WindowScene::garden));

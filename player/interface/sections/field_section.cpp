@@ -41,8 +41,8 @@ double place(double value, const FieldSettings& s, const ValueRange& range) {
 
 /// The color map with the field's histogram above it, and a mark at the value under the pointer.
 void legend(const ScalarField& field, const FieldSettings& s, std::optional<double> value) {
-    const auto [map, range] = field_legend(field, s);
-    const ColorTable table = color_table(map);
+    const auto [map, range, center] = field_legend(field, s);
+    const ColorTable table = color_table(map, center);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float width = ImGui::GetContentRegionAvail().x;
@@ -74,10 +74,18 @@ void legend(const ScalarField& field, const FieldSettings& s, std::optional<doub
     }
     list.PopClipRect();
     ImGui::Dummy(ImVec2(width, histogram_height() + legend_height()));
-    ImGui::TextUnformatted(localized_numbers(value_text(range.low, range)).c_str());
-    const std::string text = localized_numbers(value_text(range.high, range));
-    ImGui::SameLine(width + ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(text.c_str()).x);
-    ImGui::TextUnformatted(text.c_str());
+    const std::string lowest = localized_numbers(value_text(range.low, range)),
+                      highest = localized_numbers(value_text(range.high, range));
+    const float left = ImGui::GetCursorPosX(), zero = width * float(center),
+                end = width - ImGui::CalcTextSize(highest.c_str()).x, em = ImGui::GetFontSize();
+    ImGui::TextUnformatted(lowest.c_str());
+    if (range.low < 0 && range.high > 0 && map == ColorMap::coolwarm &&
+        zero > ImGui::CalcTextSize(lowest.c_str()).x + em && zero < end - em) {
+        ImGui::SameLine(left + zero - ImGui::CalcTextSize("0").x / 2);
+        ImGui::TextUnformatted("0");
+    }
+    ImGui::SameLine(left + end);
+    ImGui::TextUnformatted(highest.c_str());
 }
 
 void range_sliders(Controls& c, const ScalarField& field, FieldSettings& s) {
@@ -97,6 +105,8 @@ void range_sliders(Controls& c, const ScalarField& field, FieldSettings& s) {
     c.explain("From the field's lowest to its highest value.");
 }
 
+bool has_logarithms(const ScalarField& field) { return field.low >= 0 && field.least_positive > 0; }
+
 void field_choice(Controls& c, std::span<const ScalarField> fields, FieldSettings& s) {
     std::vector<const char*> names{tr("none: photos only")};
     for (const ScalarField& field : fields) names.push_back(field.name.c_str());
@@ -106,15 +116,18 @@ void field_choice(Controls& c, std::span<const ScalarField> fields, FieldSetting
     if (!changed) return;
     s.index = chosen - 1;
     s.range.reset();
+    s.logarithmic &= s.index >= 0 && has_logarithms(fields[std::size_t(s.index)]);
 }
 
-}  // namespace
-
-void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, const View& view, bool more) {
+/// The field in the settings, or null.
+const ScalarField* shown_field(const FieldSettings& s, const Renderer& renderer) {
     const std::span<const ScalarField> fields = renderer.resources().fields.all();
-    field_choice(c, fields, s);
-    if (s.index < 0 || std::size_t(s.index) >= fields.size()) return;
-    const ScalarField& field = fields[std::size_t(s.index)];
+    return s.index >= 0 && std::size_t(s.index) < fields.size() ? &fields[std::size_t(s.index)] : nullptr;
+}
+
+/// The legend, the unit, and the value under the pointer.
+void explain_field(const ScalarField& field, const FieldSettings& s, const Renderer& renderer,
+                   const View& view) {
     const std::optional<double> value = value_under_pointer(renderer, field, view);
     legend(field, s, value);
     if (const char* unit = unit_of(field)) ImGui::TextDisabled("%s", tr(unit));
@@ -125,6 +138,35 @@ void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, cons
                 .c_str());
     else
         ImGui::TextDisabled("%s", tr("under the pointer: no value"));
+}
+
+}  // namespace
+
+void field_legend_panel(Controls& c, const FieldSettings& s, const Renderer& renderer, const View& view,
+                        const Area& area) {
+    const ScalarField* const field = shown_field(s, renderer);
+    if (!field || !(s.share > 0)) return;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos(ImVec2(float(area.left) + em, float(area.top + area.height) - em),
+                            ImGuiCond_Always, ImVec2(0, 1));
+    ImGui::SetNextWindowSize(ImVec2(std::min(20 * em, float(area.width) - 2 * em), 0));
+    ImGui::Begin("##field", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::TextUnformatted(field->name.c_str());
+    explain_field(*field, s, renderer, view);
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    c.note("Legend", low, ImVec2(low.x + size.x, low.y + size.y));
+    ImGui::End();
+}
+
+void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, const View& view, bool more) {
+    field_choice(c, renderer.resources().fields.all(), s);
+    const ScalarField* const shown = shown_field(s, renderer);
+    if (!shown) return;
+    const ScalarField& field = *shown;
+    explain_field(field, s, renderer, view);
     if (!more) return;
     static const char* const maps[] = {marked("automatic"), marked("viridis"), marked("magma"),
                                        marked("cividis"), marked("coolwarm")};
@@ -134,8 +176,10 @@ void field_section(Controls& c, FieldSettings& s, const Renderer& renderer, cons
     c.explain("The mix of the field's colors and the photos.");
     c.slider("Isolines", &s.isolines, 0, 20);
     c.explain("Lines of equal value: the number of intervals into which they divide the color map.");
-    if (c.checkbox("Logarithmic", &s.logarithmic)) s.range.reset();
-    c.explain("Uses the logarithm of the value. Values of zero or less have no color.");
+    if (has_logarithms(field)) {
+        if (c.checkbox("Logarithmic", &s.logarithmic)) s.range.reset();
+        c.explain("Uses the logarithm of the value. Zero has no color.");
+    }
     range_sliders(c, field, s);
     if (field.without > 0)
         ImGui::TextDisabled("%s", localized(tr("%.1f %% of the vertices have no value"),

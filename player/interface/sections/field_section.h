@@ -9,4 +9,8 @@ namespace vantage {
 void field_section(Controls& controls, FieldSettings& settings, const Renderer& renderer, const View& view,
                    bool more = true);
 
+/// The legend of the shown field, if any, in the lower left corner of an area, for windows without a sidebar.
+void field_legend_panel(Controls& controls, const FieldSettings& settings, const Renderer& renderer,
+                        const View& view, const Area& area);
+
 }  // namespace vantage

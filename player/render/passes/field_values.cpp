@@ -37,11 +37,11 @@ void FieldValues::set(const FieldSettings& settings) {
     if (!color_map_)
         color_map_ =
             gl::make_texture_2d("color map", GL_SRGB8_ALPHA8, std::tuple_size_v<ColorTable>, 1, GL_LINEAR);
-    if (mapped_ != legend.map) {
-        const ColorTable table = color_table(legend.map);
+    if (mapped_ != std::pair(legend.map, legend.center)) {
+        const ColorTable table = color_table(legend.map, legend.center);
         glTextureSubImage2D(color_map_.id(), 0, 0, 0, GLsizei(table.size()), 1, GL_RGBA, GL_UNSIGNED_BYTE,
                             table.data());
-        mapped_ = legend.map;
+        mapped_ = {legend.map, legend.center};
     }
     const auto [low, high] = legend.range;
     const double begin = settings.logarithmic ? std::log(low) : low,

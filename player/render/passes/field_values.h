@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/gl/object.h"
@@ -31,7 +32,7 @@ class FieldValues {
     std::vector<std::vector<float>> measured_;  ///< per field; empty if stored in the file or not yet shown
     int loaded_ = -1;                           ///< the field whose values are loaded into the model
     gl::Texture color_map_;                     ///< created when a field is first shown
-    ColorMap mapped_ = ColorMap::automatic;
+    std::pair<ColorMap, double> mapped_{ColorMap::automatic, 0};  ///< with its center
 };
 
 }  // namespace vantage

@@ -1,5 +1,6 @@
 #include "scene/package/contents/color_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -38,11 +39,14 @@ const Stops& stops_of(ColorMap map) {
 
 }  // namespace
 
-ColorTable color_table(ColorMap map) {
+ColorTable color_table(ColorMap map, double center) {
     const Stops& stops = stops_of(map);
+    const bool diverges = map == ColorMap::coolwarm;
     ColorTable out{};
     for (std::size_t i = 0; i < out.size(); ++i) {
-        const double at = double(i) / double(out.size() - 1) * double(stops.size() - 1);
+        double place = double(i) / double(out.size() - 1);
+        if (diverges) place = 0.5 + (place - center) / (2 * std::max(center, 1 - center));
+        const double at = std::clamp(place, 0.0, 1.0) * double(stops.size() - 1);
         const std::size_t first = std::min(std::size_t(at), stops.size() - 2);
         const double share = at - double(first);
         for (std::size_t c = 0; c < 3; ++c) {

@@ -12,8 +12,9 @@ namespace vantage {
 enum class ColorMap { automatic, viridis, magma, cividis, coolwarm, count };
 
 using ColorTable = std::array<std::array<std::uint8_t, 4>, 256>;  ///< sRGB and alpha
-/// Treats `automatic` as viridis.
-ColorTable color_table(ColorMap map);
+/// Treats `automatic` as viridis. `center`: the position of the center of a diverging map, 0 to 1. Equal
+/// distances from the center have equal strength, so the table lacks the colors beyond its nearer end.
+ColorTable color_table(ColorMap map, double center = 0.5);
 
 /// The map's name on the command line.
 const char* name_of(ColorMap map);

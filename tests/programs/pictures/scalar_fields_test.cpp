@@ -122,17 +122,20 @@ TEST_F(ScalarFields, ColorsAreThoseOfTheValuesThatRaysMeet) {
         for (const bool clamped : {false, true}) {
             settings.field.map = map;
             settings.field.range.reset();
-            if (clamped) settings.field.range = ValueRange{1, 2};
+            const bool diverges = map == ColorMap::coolwarm;
+            if (clamped) settings.field.range = ValueRange{diverges ? -0.5 : 1, 2};
             const Picture picture = take_picture(renderer, view, settings, all(package), 1);
-            const auto [shown, range] = field_legend(field, settings.field);
+            const auto [shown, range, center] = field_legend(field, settings.field);
             const ColorTable table = color_table(shown);
             std::size_t compared = 0, wrong = 0;
             for (int y = 0; y < picture.height; ++y)
                 for (int x = 0; x < picture.width; ++x) {
                     const auto at = rays.surface(x + 0.5, y + 0.5);
                     if (!at) continue;
-                    const double t = (height(*at) - range.low) / (range.high - range.low);
-                    const auto code = table[std::size_t(std::lround(255 * std::clamp(t, 0.0, 1.0)))];
+                    const double h = std::clamp(height(*at), range.low, range.high),
+                                 t = diverges && clamped ? 0.5 + h / 4  // 0 keeps the light center
+                                                         : (h - range.low) / (range.high - range.low);
+                    const auto code = table[std::size_t(std::lround(255 * t))];
                     const auto pixel = std::size_t(y) * std::size_t(picture.width) + std::size_t(x);
                     ++compared;
                     wrong += difference(picture, pixel, code) > 4;

@@ -43,6 +43,14 @@ TEST(ColorMap, TheDivergingMapIsLightestInTheMiddleAndAsDarkAtBothEnds) {
     EXPECT_GT(table.back()[0], table.back()[2]) << "high is red";
 }
 
+TEST(ColorMap, TheDivergingMapKeepsItsCenterAndItsStrengthIfTheLimitsAreUnequal) {
+    const ColorTable table = color_table(ColorMap::coolwarm, 0.2), equal = color_table(ColorMap::coolwarm);
+    EXPECT_NEAR(lightness(table[51]), lightness(equal[128]), 1) << "the light center";
+    EXPECT_EQ(table.back(), equal.back());
+    EXPECT_NEAR(lightness(table.front()), lightness(table[102]), 5) << "as far on the other side";
+    EXPECT_EQ(color_table(ColorMap::magma, 0.2), color_table(ColorMap::magma));
+}
+
 TEST(ColorMap, AutomaticDivergesForBothSigns) {
     EXPECT_EQ(chosen_map(ColorMap::automatic, -1, 2), ColorMap::coolwarm);
     EXPECT_EQ(chosen_map(ColorMap::automatic, 0, 2), ColorMap::viridis);
