@@ -18,6 +18,8 @@ namespace {
 constexpr const char* domain = "vantage";
 constexpr char context_end = '\4';  ///< ends the context, as in gettext catalogs
 
+thread_local int english_keepers = 0;
+
 /// bin/../share/locale in an installation or a build folder.
 std::filesystem::path catalogs() {
     std::error_code error;
@@ -49,20 +51,25 @@ const char* without_context(const char* text) {
 }
 
 const char* tr(const char* text) {
-    if (!*text) return text;
+    if (!*text || english_keepers > 0) return without_context(text);
     const char* const translated = ::dgettext(domain, text);
     return translated == text ? without_context(text) : translated;
 }
 
 const char* tr_in(const char* context, const char* text) {
+    if (english_keepers > 0) return text;
     const std::string key = std::string(context) + context_end + text;
     const char* const translated = ::dgettext(domain, key.c_str());
     return translated == key.c_str() ? text : translated;
 }
 
 const char* tr_count(const char* one, const char* several, std::size_t count) {
+    if (english_keepers > 0) return count == 1 ? one : several;
     return ::dngettext(domain, one, several, count);
 }
+
+KeepEnglish::KeepEnglish() { ++english_keepers; }
+KeepEnglish::~KeepEnglish() { --english_keepers; }
 
 void use_language(const std::string& language) {
     std::string code = language.empty() ? "en" : language;

@@ -4,7 +4,8 @@
 #include <vector>
 
 /// Translates the window's texts with gettext. English texts are the keys of the catalogs in languages/,
-/// which are installed in share/locale, next to the programs' folder. All calls must be made on one thread.
+/// which are installed in share/locale, next to the programs' folder. All calls must be made on one thread,
+/// except while a KeepEnglish exists.
 namespace vantage {
 
 /// Marks a text for the catalogs; it is translated where it is shown.
@@ -23,6 +24,14 @@ const char* without_context(const char* text);
 /// The translated singular or plural, according to the rules of the language.
 [[gnu::format_arg(1), gnu::format_arg(2)]] const char* tr_count(const char* one, const char* several,
                                                                 std::size_t count);
+
+/// While an object of this class exists, texts on its thread are not translated, as in files.
+class KeepEnglish {
+  public:
+    KeepEnglish();
+    ~KeepEnglish();
+    KeepEnglish(const KeepEnglish&) = delete;
+};
 
 /// Selects a language, such as "de"; "de-AT" uses the catalog of "de". A language without a catalog selects
 /// English.

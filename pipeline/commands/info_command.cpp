@@ -29,7 +29,8 @@ nlohmann::json describe_package(const PackageReader& reader) {
         out["photos"] = nlohmann::json::array();
     }
     out["origin"] = s.origin;
-    out["up"] = s.up;
+    const Eigen::Vector3d up = up_of(s);
+    out["up"] = {up.x(), up.y(), up.z()};
     if (s.first_photo < reader.photos().size()) out["first_photo"] = reader.photos()[s.first_photo].name;
     const std::vector<ImageSet> image_sets = read_image_sets(reader);
     for (const ImageSet& image_set : image_sets)

@@ -18,7 +18,7 @@ constexpr double hands_breadth = 0.15;  ///< meters
 MarkSize meters(const Stance& stance, double length) { return {length * stance.scale, 1.5}; }
 
 MarkColor color_of(MeasureLook look) {
-    return look == MeasureLook::selected ? blue : look == MeasureLook::unfinished ? white : yellow;
+    return look == MeasureLook::selected ? blue : look == MeasureLook::finished ? yellow : white;
 }
 
 /// Whether a photo is shown as a picture. A photo is not shown as a picture while the viewer is at its

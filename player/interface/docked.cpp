@@ -15,8 +15,9 @@ void begin_docked(const char* name, const Area& area, ImVec2 padding, ImGuiWindo
 }
 
 void keep_within(const Area& area) {
-    const ImVec2 at = ImGui::GetWindowPos(),
-                 inside(std::max(at.x, float(area.left)), std::max(at.y, float(area.top)));
+    const ImVec2 at = ImGui::GetWindowPos();
+    const float right = float(area.left + area.width) - ImGui::GetWindowWidth();
+    const ImVec2 inside(std::max(std::min(at.x, right), float(area.left)), std::max(at.y, float(area.top)));
     if (inside.x != at.x || inside.y != at.y) ImGui::SetWindowPos(inside);
 }
 

@@ -9,7 +9,7 @@ namespace vantage {
 /// follow.
 void begin_docked(const char* name, const Area& area, ImVec2 padding, ImGuiWindowFlags flags);
 
-/// Moves the current ImGui window into an area if its upper left corner is outside.
+/// Moves the current ImGui window into an area if its upper left corner or its right side is outside.
 void keep_within(const Area& area);
 
 }  // namespace vantage

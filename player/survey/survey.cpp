@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/text/translation.h"
 #include "player/survey/number_text.h"
 
 namespace vantage {
@@ -39,6 +40,7 @@ std::string direction_text(const Eigen::Vector3d& d) {
 }
 
 std::string survey_csv(const Survey& s) {
+    const KeepEnglish notes;
     std::string out = "name,measure,value,uncertainty,unit,note,points\n";
     for (const Measurement& m : s.measurements) {
         const Measured is = evaluate(m, s.scale, s.up);

@@ -9,6 +9,7 @@
 #include "base/files/replace_file.h"
 #include "base/text/error.h"
 #include "base/text/located_json.h"
+#include "base/text/translation.h"
 
 namespace vantage {
 namespace {
@@ -111,6 +112,7 @@ SurveyFile survey_file_of(const std::filesystem::path& package, bool remote) {
 }
 
 std::string survey_text(const Survey& s) {
+    const KeepEnglish notes;
     Json list = Json::array();
     for (const Measurement& m : s.measurements) list.push_back(json_of(m, s));
     Json scale{{"length", s.scale.length},

@@ -5,6 +5,7 @@
 #include <regex>
 #include <sstream>
 
+#include "player/interface/sections/columns.h"
 #include "player/survey/survey_file.h"
 #include "tests/window/shown_text.h"
 #include "tests/window/window_test.h"
@@ -62,6 +63,7 @@ class WindowMeasures : public WindowTest {
 
 TEST_F(WindowMeasures, EveryMeasureOfTheOpening) {
     HeadlessWindow w(package, from_photo());
+    w.resize(1600, 900);  // the panel is beside the building
     w.key(GLFW_KEY_M);
     ASSERT_TRUE(w.there("Snap to vertices"));
     std::size_t n = 0;
@@ -75,6 +77,14 @@ TEST_F(WindowMeasures, EveryMeasureOfTheOpening) {
         click(w, {left, 0, high});
     w.key(GLFW_KEY_ENTER);
     EXPECT_NEAR(value(w, ++n), 3.0016, 5e-4);
+    w.frames();
+    EXPECT_NE(shown_text().find("perimeter 7.01 units"), std::string::npos) << shown_text();
+    for (float width = 20; width < 400; width += 5) {
+        const std::vector<std::string> lines = wrapped("away from it; perimeter 10.25 m, in 2 parts", width);
+        EXPECT_EQ(std::ranges::count_if(lines, [](const auto& l) { return l.find("10.25 m") != l.npos; }), 1)
+            << width;
+        EXPECT_LE(ImGui::CalcTextSize(lines.front().c_str()).x, std::max(width, 60.0f));
+    }
     w.choose("Measure", "angle");
     click(w, {right, 0, low}), click(w, {left, 0, low}), click(w, {left, 0, high});
     EXPECT_NEAR(value(w, ++n), 90, 0.01);
@@ -130,8 +140,9 @@ TEST_F(WindowMeasures, AProfileAcrossTheOpeningIsARecessInChartAndTable) {
 
 TEST_F(WindowMeasures, NothingBesideTheModelAndNothingAfterEsc) {
     HeadlessWindow w(package, from_photo());
+    w.resize(1600, 900);  // the panel is beside the building
     w.key(GLFW_KEY_M);
-    w.point_at({880, 60}), w.frames(), w.click();
+    w.point_at({60, 60}), w.frames(), w.click();
     EXPECT_TRUE(w.there("Message")) << "no surface at this point";
     w.choose("Measure", "polyline");
     click(w, {left, 0, low}), click(w, {left, 0, high});
@@ -147,7 +158,7 @@ TEST_F(WindowMeasures, NothingBesideTheModelAndNothingAfterEsc) {
 
 TEST_F(WindowMeasures, NamesScaleAndTable) {
     HeadlessWindow w(package, from_photo());
-    w.resize(1400, 900);
+    w.resize(1600, 900);  // the panel is beside the building
     w.key(GLFW_KEY_M);
     EXPECT_EQ(shown_text().find("saved in"), std::string::npos) << "nothing has been saved yet";
     w.press("Snap to vertices");
@@ -179,7 +190,7 @@ TEST_F(WindowMeasures, NamesScaleAndTable) {
 
 TEST_F(WindowMeasures, AScaleBarIsRightWhereTheViewTurns) {
     HeadlessWindow w(package, from_photo());
-    w.resize(1400, 900);
+    w.resize(1600, 900);  // the panel is beside the building
     w.key(GLFW_KEY_M);
     EXPECT_FALSE(w.there("Drawn scale bar")) << "the unit is unknown";
     w.choose("Model's unit", "m");
@@ -220,18 +231,21 @@ TEST_F(WindowMeasures, AScaleBarIsRightWhereTheViewTurns) {
 TEST_F(WindowMeasures, AreThereAgainAndADamagedFileIsLeftAlone) {
     {
         HeadlessWindow w(package, from_photo());
+        w.resize(1600, 900);  // the panel is beside the building
         w.key(GLFW_KEY_M);
         click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
         value(w, 1);
     }
     {
         HeadlessWindow w(package, from_photo());
+        w.resize(1600, 900);  // the panel is beside the building
         w.key(GLFW_KEY_M);
         EXPECT_TRUE(w.there("distance 1"));
     }
     const std::string cut = slurp(survey_file()).substr(0, 100);
     std::ofstream(survey_file()) << cut;
     HeadlessWindow w(package, from_photo());
+    w.resize(1600, 900);  // the panel is beside the building
     w.key(GLFW_KEY_M);
     EXPECT_NE(w.session.message.text.find("one.measurements.json"), std::string::npos)
         << w.session.message.text;
@@ -248,6 +262,7 @@ TEST_F(WindowMeasures, AreNamedInTheLanguageOfTheWindow) {
         ShowOptions options = from_photo();
         options.window.language = language;
         HeadlessWindow w(package, options);
+        w.resize(1600, 900);  // the panel is beside the building
         w.key(GLFW_KEY_M);
         click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
         value(w, 1);
@@ -256,7 +271,7 @@ TEST_F(WindowMeasures, AreNamedInTheLanguageOfTheWindow) {
         EXPECT_TRUE(std::regex_search(shown_text(), shown)) << shown_text();
         w.press("Export table");
         const std::string table = written(w, dir / "one-measurements-0001.csv", "distance");
-        const std::regex with_points("distance,1\\.[0-9]+,0\\.[0-9]+,units,\"[^\"]* z 1\\.60* ");
+        const std::regex with_points("distance,1\\.[0-9]+,0\\.[0-9]+,units,\"along x [^\"]* z 1\\.60* units");
         EXPECT_TRUE(std::regex_search(table, with_points)) << table;
         std::filesystem::remove(dir / "one-measurements-0001.csv");
     }
@@ -264,7 +279,7 @@ TEST_F(WindowMeasures, AreNamedInTheLanguageOfTheWindow) {
 
 TEST_F(WindowMeasures, AreTheSameAtAllDepthsOrthographically) {
     HeadlessWindow w(package);
-    w.resize(1400, 900);  // the panel is beside the middle
+    w.resize(1600, 900);  // the panel is beside the building
     w.key(GLFW_KEY_TAB);
     w.choose("View", "Orthographic");
     w.choose("View", "From the top");  // a plan needs no photos from above

@@ -14,18 +14,31 @@ namespace {
 using Eigen::Vector3d;
 using Segments = std::vector<std::pair<Vector3d, Vector3d>>;
 
-constexpr ImU32 shadow = IM_COL32(0, 0, 0, 190);
+constexpr ImU32 shadow = IM_COL32(0, 0, 0, 190), faint = IM_COL32(255, 255, 255, 170);
 
 ImU32 color_of(MeasureLook look) {
-    return look == MeasureLook::selected     ? IM_COL32(120, 200, 255, 255)
-           : look == MeasureLook::unfinished ? IM_COL32(255, 255, 255, 255)
-                                             : IM_COL32(255, 205, 70, 255);
+    return look == MeasureLook::selected   ? IM_COL32(120, 200, 255, 255)
+           : look == MeasureLook::finished ? IM_COL32(255, 205, 70, 255)
+                                           : IM_COL32(255, 255, 255, 255);
 }
 
 /// The segments of a height measurement: vertical from the first point, then horizontal to the second.
 Segments height_segments(const Vector3d& from, const Vector3d& to, const Vector3d& up) {
     const Vector3d corner = from + up * up.dot(to - from);
     return {{from, corner}, {corner, to}};
+}
+
+/// A disc, or a ring for a point that is not set.
+void draw_point(ImDrawList& list, const View& view, const Vector3d& point, ImU32 color, bool ring) {
+    const auto at = project(view.intrinsics, view.cam_from_origin, point);
+    if (!at || !in_frame(view.intrinsics, at->pixel)) return;
+    const ImVec2 center(float(at->pixel.x()), float(at->pixel.y()));
+    if (ring) {
+        list.AddCircle(center, 8, shadow, 0, 4);
+        return list.AddCircle(center, 8, color, 0, 1.5f);
+    }
+    list.AddCircleFilled(center, 5, shadow);
+    list.AddCircleFilled(center, 3.5f, color);
 }
 
 void draw_label(ImDrawList& list, const ImVec2& at, const std::string& text, ImU32 color) {
@@ -69,16 +82,17 @@ void draw_measurement(const Measurement& m, const std::string& label, const View
     const std::vector<Vector3d> p = points_from(m, origin);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const ImU32 color = color_of(look);
-    const Segments segments = lines_of(m.measure, p, up);
+    const Vector3d* const moving = look == MeasureLook::preview ? &p.back() : nullptr;
+    Segments segments = lines_of(m.measure, p, up);
+    std::erase_if(segments, [&](const auto& line) {
+        const bool moves =
+            moving && (m.measure == Measure::height || line.first == *moving || line.second == *moving);
+        if (moves) scene_line(list, view, line.first, line.second, faint, 1.5f);
+        return moves;
+    });
     for (const auto& [a, b] : segments) scene_line(list, view, a, b, shadow, 4);
     for (const auto& [a, b] : segments) scene_line(list, view, a, b, color, 2);
-    for (const Vector3d& v : p) {
-        const auto at = project(view.intrinsics, view.cam_from_origin, v);
-        if (!at || !in_frame(view.intrinsics, at->pixel)) continue;
-        const ImVec2 center(float(at->pixel.x()), float(at->pixel.y()));
-        list.AddCircleFilled(center, 5, shadow);
-        list.AddCircleFilled(center, 3.5f, color);
-    }
+    for (const Vector3d& v : p) draw_point(list, view, v, color, &v == moving);
     const auto at = project(view.intrinsics, view.cam_from_origin, label_place(m.measure, p, up));
     if (!at || !in_frame(view.intrinsics, at->pixel) || label.empty()) return;
     draw_label(list, ImVec2(float(at->pixel.x()), float(at->pixel.y())), label, color);

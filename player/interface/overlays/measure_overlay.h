@@ -11,8 +11,8 @@
 
 namespace vantage {
 
-/// Style of a measurement in the picture.
-enum class MeasureLook { finished, selected, unfinished };
+/// Style of a measurement in the picture. `preview`: unfinished, and its last point follows the pointer.
+enum class MeasureLook { finished, selected, unfinished, preview };
 
 /// A measurement's points relative to `origin`, which is in the points' coordinates.
 std::vector<Eigen::Vector3d> points_from(const Measurement& measurement, const Eigen::Vector3d& origin);

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include "base/text/translation.h"
@@ -33,6 +34,22 @@ void check_boxes(Controls& c, std::initializer_list<CheckBox> boxes) {
         c.checkbox(box.name, box.value);
         c.explain(box.help);
     }
+}
+
+std::vector<std::string> wrapped(const std::string& text, float width) {
+    std::vector<std::string> out;
+    std::size_t begin = 0;
+    for (std::size_t at = 0, last = 0; at <= text.size(); ++at) {
+        const bool after_number = at > 0 && std::isdigit(static_cast<unsigned char>(text[at - 1]));
+        if (at < text.size() && (text[at] != ' ' || after_number)) continue;
+        if (last > begin && ImGui::CalcTextSize(&text[begin], text.data() + at).x > width) {
+            out.push_back(text.substr(begin, last - begin));
+            begin = last + 1;
+        }
+        last = at;
+    }
+    out.push_back(text.substr(begin));
+    return out;
 }
 
 float width_beside_names() {

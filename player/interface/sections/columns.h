@@ -1,5 +1,7 @@
 #pragma once
 #include <initializer_list>
+#include <string>
+#include <vector>
 
 #include "player/interface/sections/controls.h"
 
@@ -21,5 +23,9 @@ void check_boxes(Controls& controls, std::initializer_list<CheckBox> boxes);
 
 /// Width for sliders and drop-down lists with their names on the right, as for ImGui::PushItemWidth().
 float width_beside_names();
+
+/// The lines of a text, at most this wide if its words permit. A number stays with the word after it, its
+/// unit; ImGui's own lines may also end at a decimal point.
+std::vector<std::string> wrapped(const std::string& text, float width);
 
 }  // namespace vantage

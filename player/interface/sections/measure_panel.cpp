@@ -13,6 +13,7 @@
 #include "player/interface/docked.h"
 #include "player/interface/keys.h"
 #include "player/interface/overlays/measure_overlay.h"
+#include "player/interface/sections/columns.h"
 #include "player/interface/state/failure_text.h"
 #include "player/interface/unit_texts.h"
 #include "player/survey/number_text.h"
@@ -107,13 +108,14 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
         draw_measurement(d.measurement, d.label, view, origin_, survey_.up, d.look);
     if (scale_bar_ && !meshes.empty()) show_scale_bar(c, s, view);
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos(ImVec2(float(s.window.free.left) + em, float(s.window.free.top) + em),
-                            ImGuiCond_Appearing);
-    ImGui::SetNextWindowSizeConstraints(
-        ImVec2(0, 0), ImVec2(FLT_MAX, std::max(11 * em, float(s.window.free.height) - 2 * em)));
+    const Area& free = s.window.free;
+    ImGui::SetNextWindowPos(ImVec2(float(free.left + free.width) - em, float(free.top) + em),
+                            ImGuiCond_Appearing, ImVec2(1, 0));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0),
+                                        ImVec2(FLT_MAX, std::max(11 * em, float(free.height) - 2 * em)));
     if (ImGui::Begin(shown_name("Measure").c_str(), &s.window.panels.measure,
                      ImGuiWindowFlags_AlwaysAutoResize)) {
-        keep_within(s.window.free);
+        keep_within(free);
         ImGui::PushItemWidth(11 * em);
         content(c, s, meshes, now);
         ImGui::PopItemWidth();
@@ -232,7 +234,7 @@ std::vector<MeasurePanel::Drawn> MeasurePanel::drawn() const {
     if (under_) next.points.push_back(*under_);
     const bool whole = next.measure != Measure::point && next.points.size() >= fewest_points(next.measure);
     const std::string value = whole ? text_of(evaluate(next, survey_.scale, survey_.up)) : "";
-    out.push_back({next, value, MeasureLook::unfinished});
+    out.push_back({next, value, under_ ? MeasureLook::preview : MeasureLook::unfinished});
     return out;
 }
 
@@ -243,11 +245,11 @@ void MeasurePanel::content(Controls& c, Session& s, std::span<const PlacedMesh> 
     list(c);
     selected_section(c, s, now);
     profile_.show(c, s, meshes, survey_, selected_);
-    ImGui::BeginDisabled(survey_.measurements.empty());
-    if (c.button("Export table"))
-        s.window.commands.push_back(SaveTable{MARKED_IN("written", "measurements"), survey_csv(survey_)});
-    ImGui::EndDisabled();
-    c.explain("Writes all measurements as a table (CSV) next to the package.");
+    if (!survey_.measurements.empty()) {
+        if (c.button("Export table"))
+            s.window.commands.push_back(SaveTable{MARKED_IN("written", "measurements"), survey_csv(survey_)});
+        c.explain("Writes all measurements as a table (CSV) next to the package.");
+    }
     if (file_.failed())
         ImGui::TextWrapped(tr("not saved in %s"), file_.path().filename().c_str());
     else if (file_.exists())
@@ -294,13 +296,11 @@ void MeasurePanel::scale_section(Controls& c, bool keyboard) {
         changed();
     }
     c.explain("The unit of the input's coordinates, which the input files do not state.");
-    ImGui::BeginDisabled(scale.unit == Unit::unknown);
-    if (c.choice("Shown in", &shown, unit_texts, int(std::size(unit_texts))) &&
+    if (scale.unit != Unit::unknown && c.choice("Shown in", &shown, unit_texts, int(std::size(unit_texts))) &&
         unit_at(shown) != Unit::unknown) {
         scale.shown = unit_at(shown);
         changed();
     }
-    ImGui::EndDisabled();
     if (keyboard && scale.unit != Unit::unknown) c.checkbox("Scale bar", &scale_bar_);
     if (scale.length != 1)
         ImGui::TextDisabled(tr("one unit of the model is %s %s"),
@@ -343,9 +343,9 @@ void MeasurePanel::selected_section(Controls& c, Session& s, double now) {
     const std::size_t at = *selected_;
     ImGui::Separator();
     if (!values_[at].note.empty() && survey_.measurements[at].measure != Measure::point) {
-        ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
-        ImGui::TextDisabled("%s", localized_numbers(values_[at].note).c_str());
-        ImGui::PopTextWrapPos();
+        for (const std::string& line :
+             wrapped(localized_numbers(values_[at].note), 22 * ImGui::GetFontSize()))
+            ImGui::TextDisabled("%s", line.c_str());
     }
     if (s.window.keyboard) {
         ImGui::InputText(shown_name("Name").c_str(), name_.data(), name_.size());

@@ -26,8 +26,8 @@ double model_reach(const package::SceneRecord& scene, const Pose& cam_from_origi
 /// The distance from a photo's camera to the surface that the photo sees, or to the origin if it sees none.
 /// The distance is always positive.
 double seen_distance(const package::PhotoRecord& photo);
-/// The up direction, of length 1.
-inline Eigen::Vector3d up_of(const package::SceneRecord& scene) { return Eigen::Vector3d(scene.up); }
+/// The up direction, of length 1, without negative zeros.
+inline Eigen::Vector3d up_of(const package::SceneRecord& scene) { return Eigen::Array3d(scene.up) + 0.0; }
 bool effect_on(const package::SceneRecord& scene, Effect effect);
 
 /// The reason why a record is unusable; null if it is valid.
