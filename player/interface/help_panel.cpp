@@ -36,6 +36,7 @@ std::vector<Shortcut> shortcuts() {
     return {{marked("drag, or one finger"), marked("orbit the model"), true},
             {marked("drag, right or middle button"), marked("pan"), true},
             {marked("Ctrl and drag"), marked("look around")},
+            {marked("Shift and drag"), marked("move the raking light, like dragging its lamp"), true},
             {marked("wheel"), marked("zoom to or from the point under the pointer"), true},
             {marked("double click, or two taps"), marked("move closer to the point under the pointer"), true},
             {marked("two fingers"), marked("pan, move closer or away, turn"), true},

@@ -23,11 +23,10 @@
 namespace vantage {
 namespace {
 
-// The settings of each group, of the session or its defaults. The lamp's direction follows the pointer.
+// The settings of each group, of the session or its defaults.
 constexpr auto of_picture = [](auto& s) {
     auto& r = s.settings;
-    return std::tie(r.background, r.light.light, r.light.on_photos, r.light.wireframe, s.lamp_follows,
-                    r.transparency, r.refined_colors, r.exposure, s.stereo);
+    return std::tie(r.background, r.light, r.transparency, r.refined_colors, r.exposure, s.stereo);
 };
 constexpr auto of_photos = [](auto& s) { return std::tie(s.settings.show, s.photos); };
 constexpr auto of_blending = [](auto& s) {

@@ -11,7 +11,7 @@
 namespace vantage {
 namespace {
 
-/// Copies the settings that are not undone: they follow the pointer, the frame or a comparison.
+/// Copies the settings that are not undone: they follow the frame or a comparison.
 void copy_transient(const SessionSettings& from, SessionSettings& to) {
     const RenderSettings& now = from.settings;
     RenderSettings& r = to.settings;
@@ -21,8 +21,6 @@ void copy_transient(const SessionSettings& from, SessionSettings& to) {
     r.swipe = now.swipe;
     r.image_sets.how = now.image_sets.how;
     r.image_sets.swipe = now.image_sets.swipe;
-    r.light.azimuth = now.light.azimuth;
-    r.light.elevation = now.light.elevation;
     r.points.pick = now.points.pick;
     r.sections = now.sections;
     r.capacity = now.capacity;

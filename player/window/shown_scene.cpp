@@ -22,6 +22,7 @@
 #include "player/interface/sections/field_section.h"
 #include "player/interface/sections/object_section.h"
 #include "player/interface/sections/photo_list_section.h"
+#include "player/interface/sections/picture_section.h"
 #include "player/interface/sidebar.h"
 #include "player/interface/state/failure_text.h"
 #include "player/interface/tour/invitation.h"
@@ -180,6 +181,7 @@ void ShownScene::interface(const View& view, double now) {
     } else {
         field_legend_panel(controls_, s.settings.field, scene_.renderer, view, s.window.free);
     }
+    if (overlays) lamp_handle(controls_, s);
     show_cut(view);
     scene_.measure.show(
         controls_, s,

@@ -42,7 +42,6 @@ SessionSettings session_settings(const PackageReader& package, const ShowOptions
     out.settings.field = field_settings(package, o.field);
     if (o.light.shown != LightSettings{}) out.settings.light = light_settings(o.light);
     out.settings.points = point_settings(o.points);
-    out.lamp_follows = o.light.lamp.empty();
     out.stereo = o.stereo;
     return out;
 }

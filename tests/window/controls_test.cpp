@@ -113,15 +113,7 @@ TEST_F(WindowControls, OfThePicture) {
     w.choose("Light", "raking light");
     toggles(w, "On the photos", s.light.on_photos);
     toggles(w, "Triangles", s.light.wireframe);
-    w.session.lamp_follows = true;
     changes(w, "Lamp azimuth", s.light.azimuth, 0.2);
-    EXPECT_FALSE(w.session.lamp_follows);
-    w.press("Follows pointer");
-    EXPECT_TRUE(w.session.lamp_follows);
-    const double elevation = s.light.elevation;
-    w.point_at({1100, 300}), w.frames();
-    w.point_at({900, 1300}), w.frames();
-    EXPECT_NE(s.light.elevation, elevation) << "the lamp follows the pointer";
     changes(w, "Lamp height", s.light.elevation, 0.1);
     w.choose("Light", "the photos' own");
     w.press("Photo 2");
@@ -217,12 +209,32 @@ TEST_F(WindowControls, OfTheBarAndTheRadar) {
     EXPECT_TRUE(w.there("Swipe"));
     w.press("Bar Compare");
     EXPECT_EQ(w.session.settings.compare, Compare::nothing);
-    w.session.lamp_follows = false;
-    for (const Light light : {Light::raking, Light::photos}) {
-        w.press("Bar Light");
-        EXPECT_EQ(w.session.settings.light.light, light);
-    }
-    EXPECT_TRUE(w.session.lamp_follows);
+    const LightSettings& light = w.session.settings.light;
+    EXPECT_FALSE(w.there("Lamp"));
+    w.press("Bar Light");
+    EXPECT_EQ(light.light, Light::raking);
+    const Eigen::Vector3d eye = w.session.viewpoint.camera.eye;
+    const Area& free = w.session.window.free;
+    const Eigen::Vector2d middle(free.left + free.width / 2, free.top + free.height / 2),
+        lamp = w.place("Lamp");
+    w.point_at(lamp);
+    w.drag(0, 2 * (middle - lamp).x(), 0);
+    EXPECT_NEAR(light.azimuth, 45, 1) << "the lamp is dragged from the left to the right";
+    EXPECT_NEAR(light.elevation, 15, 1);
+    w.point_at(middle);
+    w.drag(0, 0, 0.3 * free.height);
+    EXPECT_NEAR(light.azimuth, 45, 1) << "other drags orbit the model";
+    EXPECT_NE(w.session.viewpoint.camera.eye, eye);
+    w.wait(2);
+    const Eigen::Vector3d orbited = w.session.viewpoint.camera.eye;
+    ImGui::GetIO().KeyShift = true;
+    w.point_at(middle);
+    w.drag(0, 0, 0.3 * free.height);
+    ImGui::GetIO().KeyShift = false;
+    EXPECT_NEAR(light.azimuth, 270, 1) << "from below";
+    EXPECT_EQ(w.session.viewpoint.camera.eye, orbited);
+    w.press("Bar Light");
+    EXPECT_EQ(light.light, Light::photos);
     for (const ShowBackground background : {ShowBackground::off, ShowBackground::on}) {
         w.press("Bar Only the object");
         EXPECT_EQ(w.session.settings.background, background);

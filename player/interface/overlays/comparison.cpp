@@ -31,17 +31,7 @@ void plate(Controls& c, float x, float y, float share, const std::string& text) 
 void drag_swipe(Controls& c, Session& s, const Area& frame) {
     const float em = ImGui::GetFontSize(), x = float(frame.width * s.settings.swipe),
                 top = float(s.window.free.top), high = float(s.window.free.height);
-    ImGui::SetNextWindowPos(ImVec2(x - em, top));
-    ImGui::SetNextWindowSize(ImVec2(2 * em, high));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-    ImGui::Begin("##swipe", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::PopStyleVar(2);
-    ImGui::InvisibleButton("##line", ImVec2(2 * em, high));
-    c.note("Swipe");
+    c.begin_handle("Swipe", ImVec2(x - em, top), ImVec2(2 * em, high));
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsItemActive())
         s.settings.swipe =

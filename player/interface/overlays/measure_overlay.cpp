@@ -103,15 +103,7 @@ void draw_scale_bar(Controls& c, const ScaleBar& bar, const std::string& label, 
     const ImVec2 high(float(area.left + area.width) - 1.5f * em, float(area.top + area.height) - 1.2f * em),
         low(high.x - float(bar.pixels), high.y - 1.7f * em);
     const ImVec2 corner(low.x - 0.5f * em, low.y), size(high.x - low.x + em, high.y - low.y + 0.4f * em);
-    ImGui::SetNextWindowPos(corner);
-    ImGui::SetNextWindowSize(size);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::Begin("##scale bar", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::PopStyleVar();
-    ImGui::InvisibleButton("##bar", size);
+    c.begin_handle("Scale bar area", corner, size);
     c.explain(
         "Correct at the distance of the point about which the view turns; nearer parts appear larger, "
         "farther parts smaller.");

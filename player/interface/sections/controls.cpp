@@ -102,6 +102,20 @@ void Controls::explain(const char* text) {
     ImGui::EndTooltip();
 }
 
+void Controls::begin_handle(const char* name, ImVec2 low, ImVec2 size) {
+    ImGui::SetNextWindowPos(low);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    ImGui::Begin((std::string("##") + name).c_str(), nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PopStyleVar(2);
+    ImGui::InvisibleButton("##handle", size);
+    note(name);
+}
+
 bool Controls::button(const char* name) {
     const bool pressed = ImGui::Button(shown_name(name).c_str());
     note(name);

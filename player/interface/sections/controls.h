@@ -40,6 +40,8 @@ class Controls {
     /// Recorded as "Tooltip".
     void explain(const char* text);
 
+    /// Begins a window for a handle in the picture, which is ImGui's last item. ImGui::End() must follow.
+    void begin_handle(const char* name, ImVec2 low, ImVec2 size);
     bool button(const char* name);
     bool checkbox(const char* name, bool* value);
     bool radio(const char* name, int* value, int choice);

@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "base/text/translation.h"
@@ -17,14 +20,11 @@ void lamp_controls(Controls& c, Session& s) {
     const bool raking = l.light == Light::raking;
     check_boxes(c, {{marked("On the photos"), &l.on_photos,
                      marked("Applies the light to the photos instead of the bare surface."),
-                     raking || l.light == Light::lamp},
-                    {marked("Follows pointer"), &s.lamp_follows,
-                     marked("The lamp follows the pointer over the picture: low near the edges."),
-                     raking && s.window.keyboard}});
+                     raking || l.light == Light::lamp}});
     if (!raking) return;
-    if (c.slider("Lamp azimuth", &l.azimuth, 0.0, 360.0, "%.0f°")) s.lamp_follows = false;
+    c.slider("Lamp azimuth", &l.azimuth, 0.0, 360.0, "%.0f°");
     c.explain("0: from the right, 90: from above.");
-    if (c.slider("Lamp height", &l.elevation, 1.0, 90.0, "%.0f°")) s.lamp_follows = false;
+    c.slider("Lamp height", &l.elevation, 1.0, 90.0, "%.0f°");
     c.explain("Over the plane of the picture: the lower, the longer the shadows.");
 }
 
@@ -75,7 +75,49 @@ void stereo_controls(Controls& c, StereoSettings& stereo) {
     c.explain("In percent of the viewing distance. A larger separation looks deeper but is harder to view.");
 }
 
+/// The hemisphere over the picture on which the lamp moves, in pixels.
+struct Hemisphere {
+    Eigen::Vector2d center;
+    double radius;
+};
+
+Hemisphere around_picture(const Area& free) {
+    const double margin = 1.5 * double(ImGui::GetFontSize());
+    return {{free.left + free.width / 2, free.top + free.height / 2},
+            std::max(1.0, std::min(free.width, free.height) / 2 - margin)};
+}
+
+constexpr double degrees = 180 / std::numbers::pi;
+
 }  // namespace
+
+void aim_lamp(Session& s, const Eigen::Vector2d& pixel) {
+    constexpr double lowest = 5;  // degrees
+    const auto [center, radius] = around_picture(s.window.free);
+    const double x = (pixel.x() - center.x()) / radius, y = (center.y() - pixel.y()) / radius;
+    LightSettings& l = s.settings.light;
+    l.azimuth = std::fmod(degrees * std::atan2(y, x) + 360, 360);
+    l.elevation = std::max(lowest, degrees * std::acos(std::min(std::hypot(x, y), 1.0)));
+}
+
+void lamp_handle(Controls& c, Session& s) {
+    const LightSettings& l = s.settings.light;
+    if (l.light != Light::raking) return;
+    const auto [center, radius] = around_picture(s.window.free);
+    const double out = radius * std::cos(l.elevation / degrees), azimuth = l.azimuth / degrees;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 at(float(center.x() + out * std::cos(azimuth)), float(center.y() - out * std::sin(azimuth)));
+    c.begin_handle("Lamp", ImVec2(at.x - 1.3f * em, at.y - 1.3f * em), ImVec2(2.6f * em, 2.6f * em));
+    if (!ImGui::IsMouseDown(0))
+        c.explain("Drag the lamp to move the light; or hold Shift and drag anywhere.");
+    const bool used = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0))
+        aim_lamp(s, {double(ImGui::GetIO().MousePos.x), double(ImGui::GetIO().MousePos.y)});
+    ImGui::End();
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddCircleFilled(at, 1.2f * em, IM_COL32(15, 18, 22, used ? 230 : 170));
+    draw_icon(list, Icon::light, at, 1.7f * em, IM_COL32(255, 215, 90, 255));
+}
 
 void picture_content(Controls& c, Session& s, const Renderer& renderer, bool more) {
     RenderSettings& r = s.settings;

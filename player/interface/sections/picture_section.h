@@ -12,4 +12,11 @@ void picture_section(Controls& controls, Session& session, const Renderer& rende
 
 void movement_section(Controls& controls, MovementSettings& movement);
 
+/// Turns the raking light toward a pixel of the window: low at the edges of the picture's free area, and at
+/// the viewer in its middle.
+void aim_lamp(Session& session, const Eigen::Vector2d& pixel);
+
+/// A handle in the picture that shows where the raking light comes from, and moves it when dragged.
+void lamp_handle(Controls& controls, Session& session);
+
 }  // namespace vantage

@@ -44,7 +44,6 @@ struct SessionSettings {
     RenderSettings settings;
     std::vector<std::uint32_t> photos;  ///< allowed for blending
     StereoSettings stereo;              ///< settings for the pictures of two eyes
-    bool lamp_follows = true;           ///< the raking light follows the pointer
     Cut cut;
     MovementSettings movement;
     bool operator==(const SessionSettings&) const = default;

@@ -32,7 +32,7 @@ constexpr Tool tools[] = {
     {MARKED_IN("tool", "Compare"), Icon::compare,
      marked("Fly to the closest photo and compare the model with it (C)"), true},
     {MARKED_IN("tool", "Light"), Icon::light,
-     marked("Light the surface with a lamp that follows the pointer, to see its shape"), true},
+     marked("Light the surface from a low angle, to see its shape; drag the lamp"), true},
     {marked("Only the object"), Icon::object, marked("Hide or show the background"), true},
     {MARKED_IN("tool", "Share"), Icon::share, marked("Open this scene's page on a phone"), false},
     {marked("Language"), Icon::language, marked("Choose a language"), false, true, false},
@@ -114,11 +114,10 @@ void page_on_the_web(Controls& c, const WindowState& window, const Area& bar, fl
     ImGui::EndPopup();
 }
 
-/// Raking light that follows the pointer, or none. The sidebar has other kinds of light.
+/// Raking light or none. The sidebar has other kinds of light.
 void toggle_light(Session& s) {
     Light& light = s.settings.light.light;
     light = light == Light::photos ? Light::raking : Light::photos;
-    s.lamp_follows = true;
 }
 
 void use(const Tool& tool, Session& s, const Renderer& renderer, const View& view, double now) {

@@ -16,6 +16,7 @@
 #include "player/interface/overlays/comparison.h"
 #include "player/interface/sections/image_set_section.h"
 #include "player/interface/sections/measure_panel.h"
+#include "player/interface/sections/picture_section.h"
 #include "player/interface/style.h"
 #include "player/render/passes/blend_table.h"
 #include "player/survey/section.h"
@@ -101,6 +102,11 @@ void move_by_pointer(Session& s, const PlanScene& scene, double now) {
     const bool free = !io.WantCaptureMouse, held = io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2],
                pinched = free && s.window.input.pinch,
                points = free && (io.MouseWheel != 0 || s.window.input.double_clicked);
+    if (free && io.MouseDown[0] && io.KeyShift && s.settings.light.light == Light::raking) {
+        aim_lamp(s, {double(io.MousePos.x), double(io.MousePos.y)});
+        s.steering.glide = {};
+        return;
+    }
     const Drags drags = dragged_by(s, free, held, pinched || points, now);
     const bool dragged =
         std::ranges::any_of(drags, [](const Drag& d) { return d.right != 0 || d.down != 0; });
@@ -116,22 +122,6 @@ void move_by_pointer(Session& s, const PlanScene& scene, double now) {
     if (s.window.input.pinch || held || dragged) return;
     s.steering.grip.reset();
     if (!s.viewpoint.flight) return_to_photos(s, now);
-}
-
-/// Maps the pointer to a hemisphere over the frame: the lamp is low if the pointer is at the frame's edge,
-/// and at the viewer if the pointer is in the center.
-void move_lamp(Session& s) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool still = io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
-    if (s.settings.light.light != Light::raking || !s.lamp_follows || still || io.WantCaptureMouse ||
-        io.MouseDown[0] || io.MouseDown[1] || io.MouseDown[2])
-        return;
-    const double radius = 0.5 * double(std::min(io.DisplaySize.x, io.DisplaySize.y)),
-                 x = double(io.MousePos.x - io.DisplaySize.x / 2) / radius,
-                 y = double(io.DisplaySize.y / 2 - io.MousePos.y) / radius;
-    const double degrees = 180 / std::numbers::pi;
-    s.settings.light.azimuth = std::fmod(degrees * std::atan2(y, x) + 360, 360);
-    s.settings.light.elevation = std::max(5.0, degrees * std::acos(std::min(std::hypot(x, y), 1.0)));
 }
 
 /// Handles keys that are down, or that were released since the last frame.
@@ -316,7 +306,6 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
     using With = KeyPress::With;
     end_rotation(session);
     move_by_pointer(session, scene, now);
-    move_lamp(session);
     for (const KeyPress& p : session.window.input.keys)
         if (p.with == With::control) run_command(session.window, p);
     const ImGuiIO& io = ImGui::GetIO();
