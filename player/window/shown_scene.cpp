@@ -174,6 +174,7 @@ void ShownScene::interface(const View& view, double now) {
     const Intrinsics& frame = view.intrinsics;
     comparison(controls_, s, scene_.plan(), {0, 0, double(frame.width), double(frame.height)});
     false_color_legend(controls_, s, scene_.plan());
+    if (overlays) unseen_legend_.show(controls_, s, scene_.plan(), scene_.renderer.planner().seen());
     if (s.window.panels.expert) {
         menu_bar(controls_, s, scene_.renderer, now);
         if (sidebar(controls_, s, {scene_.renderer, scene_.objects, view}, layout_.sidebar, now))

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "player/interface/layout.h"
+#include "player/interface/overlays/comparison.h"
 #include "player/interface/photo_strip.h"
 #include "player/interface/sections/controls.h"
 #include "player/interface/sections/cut_section.h"
@@ -68,6 +69,7 @@ class ShownScene {
     Layout layout_;
     PictureArea picture_area_;
     CutLines cut_lines_;
+    UnseenLegend unseen_legend_;
     StoryEditor story_editor_;
     UndoHistory undo_;
     double shown_at_ = 0;

@@ -303,6 +303,21 @@ TEST_F(WindowShows, PointsAndComparisonsAreInPerspective) {
     EXPECT_FALSE(w.session.viewpoint.orthographic);
 }
 
+TEST_F(WindowShows, ALineNamesSurfaceThatNoPhotoShows) {
+    ShowOptions options;
+    options.package.photos = {"0002.jpg"};
+    HeadlessWindow w(package_of(WindowScene::tiny), options);
+    const auto says = [&] {
+        w.wait(1), w.draw(), w.draw(), w.frames();
+        return shown_text().find("Gray or blurred surface was not photographed") != std::string::npos;
+    };
+    EXPECT_FALSE(says()) << "the photo shows all of the view";
+    w.session.photos = {};
+    EXPECT_TRUE(says());
+    w.session.settings.light.light = Light::raking;
+    EXPECT_FALSE(says()) << "all of it is gray";
+}
+
 TEST_F(WindowShows, TheRadarShowsTheModelWithoutItsBackground) {
     HeadlessWindow w(package_of(WindowScene::garden));
     w.key(GLFW_KEY_F6);

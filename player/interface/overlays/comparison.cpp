@@ -9,7 +9,10 @@
 #include "base/text/translation.h"
 #include "base/values/srgb.h"
 #include "player/interface/overlays/agreeing_photo.h"
+#include "player/interface/overlays/seen_triangle.h"
 #include "player/interface/sections/image_set_section.h"
+#include "player/plan/triangle_corners.h"
+#include "player/plan/visible_surface.h"
 
 namespace vantage {
 namespace {
@@ -62,6 +65,40 @@ void count_ramp(ImVec2 low, float width, float height) {
             ImVec2(low.x + width * float(i) / 4, low.y),
             ImVec2(low.x + width * float(i + 1) / 4, low.y + height), color(i), color(i + 1), color(i + 1),
             color(i));
+}
+
+/// Whether one of the photos sees the side of a triangle that faces the eye.
+bool is_photographed(const PlanScene& scene, std::span<const std::uint32_t> photos, std::uint32_t triangle,
+                     const Eigen::Vector3d& eye) {
+    const auto corners = corners_of(scene, triangle);
+    if (!corners) return true;
+    const auto& [a, b, c] = *corners;
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    const bool front = normal.dot(eye - a) > 0;
+    return std::ranges::any_of(photos, [&](std::uint32_t p) {
+        return !scene.visible[p].empty() && sees(scene, p, triangle) &&
+               (normal.dot(scene.poses[p].center() - a) > 0) == front;
+    });
+}
+
+/// The fraction of an area of the window that shows a part of the mesh that none of these photos sees.
+double unseen_share(const PlanScene& scene, std::span<const std::uint32_t> photos, const SeenTriangles& seen,
+                    const Area& area) {
+    constexpr int side = 48;  // samples
+    const Intrinsics& k = seen.view.intrinsics;
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const Eigen::Vector3d eye = seen.view.cam_from_origin.center();
+    int unseen = 0;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const Eigen::Vector2d at(area.left + area.width * (x + 0.5) / side,
+                                     area.top + area.height * (y + 0.5) / side);
+            const std::uint32_t triangle = seen_triangle(
+                seen, {at.x() * k.width / double(window.x), at.y() * k.height / double(window.y)});
+            unseen += triangle > 0 && triangle <= scene.first_triangle_behind() &&
+                      !is_photographed(scene, photos, triangle - 1, eye);
+        }
+    return double(unseen) / (side * side);
 }
 
 }  // namespace
@@ -119,6 +156,23 @@ void false_color_legend(Controls& c, const Session& s, const PlanScene& scene) {
     const float from = x + ImGui::CalcTextSize(before.c_str()).x,
                 width = ImGui::CalcTextSize(std::string(24, ' ').c_str()).x;
     count_ramp(ImVec2(from, y), width, em);
+}
+
+void UnseenLegend::show(Controls& c, const Session& s, const PlanScene& scene, const SeenTriangles& seen) {
+    constexpr double begins = 0.06, ends = 0.03;  // of the picture
+    const RenderSettings& r = s.settings;
+    if (!r.fill_holes || r.show != Show::colors || r.compare != Compare::nothing || r.field.index >= 0 ||
+        (r.light.light != Light::photos && !r.light.on_photos) || r.points.alone)
+        return;
+    const Area& free = s.window.free;
+    if (version_ != seen.version || photos_ != s.photos) {
+        version_ = seen.version;
+        photos_ = s.photos;
+        notable_ = unseen_share(scene, photos_, seen, free) > (notable_ ? ends : begins);
+    }
+    if (notable_)
+        plate(c, float(free.left + free.width / 2), float(free.top + free.height) - 2 * ImGui::GetFontSize(),
+              0.5f, tr("Gray or blurred surface was not photographed"));
 }
 
 }  // namespace vantage

@@ -1,7 +1,11 @@
 #pragma once
+#include <cstdint>
+#include <vector>
+
 #include "player/interface/sections/controls.h"
 #include "player/interface/state/session.h"
 #include "player/plan/plan_scene.h"
+#include "player/plan/views/seen_triangles.h"
 
 namespace vantage {
 
@@ -14,5 +18,18 @@ void toggle_comparison(Session& session, const PlanScene& scene, const View& vie
 
 /// Legend of the picture's false colors.
 void false_color_legend(Controls& controls, const Session& session, const PlanScene& scene);
+
+/// A line that says that no photo shows the gray or blurred surface, while it takes a notable part of the
+/// picture.
+class UnseenLegend {
+  public:
+    /// `seen`: the triangles in the picture.
+    void show(Controls& controls, const Session& session, const PlanScene& scene, const SeenTriangles& seen);
+
+  private:
+    std::uint64_t version_ = 0;  ///< of the triangles
+    std::vector<std::uint32_t> photos_;
+    bool notable_ = false;
+};
 
 }  // namespace vantage
