@@ -32,6 +32,12 @@ void SurveySaver::save(const Survey& survey) {
     changed_.notify_all();
 }
 
+bool SurveySaver::fails() const {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return !next_ && !writing_; });
+    return failed_;
+}
+
 std::string SurveySaver::take_trouble() {
     const std::lock_guard lock(mutex_);
     return std::exchange(trouble_, {});

@@ -21,6 +21,8 @@ class SurveySaver {
     /// Like read_survey(), but waits for pending writes first.
     Survey read(const Survey& otherwise);
     void save(const Survey& survey);
+    /// Waits for pending writes, and returns whether the last one failed.
+    bool fails() const;
     /// The error of the last write; empty if that write succeeded, or if its error has already been taken.
     std::string take_trouble();
     /// Whether the last write failed.
@@ -37,7 +39,7 @@ class SurveySaver {
     std::filesystem::path path_;
     SurveyFile file_;  ///< used only by the thread while `writing_` is set
     mutable std::mutex mutex_;
-    std::condition_variable_any changed_;
+    mutable std::condition_variable_any changed_;
     std::optional<Survey> next_;
     bool writing_ = false, exists_ = false, failed_ = false;
     std::string trouble_;

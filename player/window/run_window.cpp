@@ -177,6 +177,8 @@ bool take_events(GlfwWindow& window, WindowState& state, const ShownScene& scene
     for (const std::string& file : events.dropped)
         if (!state.kiosk)
             state.commands.push_back(is_scene_file(file) ? UserCommand(OpenFile{file}) : PlaceDropped{file});
+    if (glfwWindowShouldClose(window.get()) && !state.kiosk) state.commands.push_back(Quit{});
+    glfwSetWindowShouldClose(window.get(), GLFW_FALSE);
     state.touched = events.any;
     // Newer versions of ImGui take one key per frame.
     lively = events.any ? frames_after_event * int(1 + state.input.keys.size()) : std::max(0, lively - 1);
@@ -202,7 +204,7 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, ShownPackage& shown,
     const ShowOptions& o = package.options;
     const bool may_rest = o.window.frames == 0 && o.window.controls.empty();  // otherwise frames are counted
     int lively = frames_after_event;
-    for (int frame = 0; state.kiosk || !glfwWindowShouldClose(window);) {
+    for (int frame = 0;;) {
         if (o.window.heartbeat_fd >= 0) beat(o.window.heartbeat_fd);
         if (!take_events(shown_in, state, scene, may_rest, lively)) continue;
         shown_in.fill_screen(state.full_screen);
@@ -210,6 +212,7 @@ std::optional<Requested> show_package(GlfwWindow& shown_in, ShownPackage& shown,
         int width = 0, height = 0;
         glfwGetFramebufferSize(window, &width, &height);
         if (width == 0 || height == 0) {  // minimized
+            if (holds<Quit>(state.commands)) glfwRestoreWindow(window);
             glfwWaitEventsTimeout(0.1);
             continue;
         }

@@ -196,6 +196,7 @@ void ShownScene::interface(const View& view, double now) {
     chooser_.attend(s.window.commands, s.message, package_folder(scene_.package()), now);
     open_dialog_.show(controls_, s.window);
     drop_dialog(controls_, s.window.commands, dropped_);
+    unsaved_changes_.ask(controls_, s, scene_.active, scene_.measure, now);
     message_line(controls_, s.message, s.window, now);
     file_manager_.attend(s.window.commands, s.message, now);
     s.window.menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);

@@ -11,6 +11,7 @@
 #include "player/interface/sections/open_dialog.h"
 #include "player/interface/tour/story_editor.h"
 #include "player/interface/tour/story_panel.h"
+#include "player/interface/tour/unsaved_changes.h"
 #include "player/interface/undo.h"
 #include "player/window/input/file_manager.h"
 #include "player/window/input/system_chooser.h"
@@ -72,6 +73,7 @@ class ShownScene {
     UnseenLegend unseen_legend_;
     StoryEditor story_editor_;
     UndoHistory undo_;
+    UnsavedChanges unsaved_changes_;
     double shown_at_ = 0;
     std::optional<Kiosk> kiosk_;
     PathRecorder path_recorder_;

@@ -256,6 +256,23 @@ TEST_F(WindowMeasures, AreThereAgainAndADamagedFileIsLeftAlone) {
     EXPECT_NE(shown_text().find("not saved in one.measurements.json"), std::string::npos) << shown_text();
 }
 
+TEST_F(WindowMeasures, ThatCouldNotBeSavedAreAskedAbout) {
+    HeadlessWindow w(package, from_photo());
+    UserCommands& commands = w.session.window.commands;
+    w.key(GLFW_KEY_M);
+    std::ofstream(survey_file()) << "of another program";
+    click(w, {left, 0, low}), click(w, {right, 0, low});
+    w.key(GLFW_KEY_Q, control);
+    EXPECT_FALSE(holds<Quit>(commands));
+    EXPECT_NE(shown_text().find("Save the measurements in one.measurements.json?"), std::string::npos);
+    w.press("Save");
+    EXPECT_FALSE(w.there("Discard") || holds<Quit>(commands)) << "they still cannot be saved";
+    std::filesystem::remove(survey_file());
+    w.key(GLFW_KEY_Q, control), w.press("Save");
+    EXPECT_TRUE(take<Quit>(commands));
+    EXPECT_EQ(count(), 1u);
+}
+
 TEST_F(WindowMeasures, AreNamedInTheLanguageOfTheWindow) {
     for (const auto& [language, name] : {std::pair{"de-AT", "Abstand 1"}, std::pair{"fr", "distance 1"}}) {
         std::filesystem::remove(survey_file());

@@ -97,6 +97,40 @@ TEST_F(WindowStories, ACuratorWritesOrdersAndDeletesNotes) {
     EXPECT_GT((saved().notes[0].view->eye - before).norm(), 0.1);
 }
 
+TEST_F(WindowStories, UnsavedChangesAreAskedAbout) {
+    HeadlessWindow w(package);
+    w.resize(1400, 900);
+    UserCommands& commands = w.session.window.commands;
+    const auto quits = [&] {
+        w.key(GLFW_KEY_Q, KeyPress::With::control);
+        return take<Quit>(commands).has_value();
+    };
+    w.key(GLFW_KEY_E, KeyPress::With::control);
+    EXPECT_TRUE(quits()) << "nothing has changed";
+    w.press("Set the opening view");
+    EXPECT_FALSE(quits());
+    EXPECT_NE(shown_text().find("Save the changes to the story one.story.json?"), std::string::npos);
+    w.key(GLFW_KEY_ESCAPE);
+    EXPECT_FALSE(w.there("Discard") || holds<Quit>(commands));
+    commands.push_back(OpenFile{"two.vantage"}), w.frames(3);
+    EXPECT_FALSE(holds<OpenFile>(commands)) << "another scene waits for the answer, too";
+    w.press("Discard");
+    EXPECT_EQ(take<OpenFile>(commands).value_or(OpenFile{}).file, "two.vantage");
+    w.frames();
+    EXPECT_FALSE(std::filesystem::exists(story_file_of(package)));
+    EXPECT_FALSE(quits());
+    w.key(GLFW_KEY_ENTER);
+    EXPECT_TRUE(take<Quit>(commands));
+    EXPECT_TRUE(saved().opening);
+    EXPECT_TRUE(quits()) << "all is saved";
+    w.press("Set the opening view");
+    std::ofstream(story_file_of(package)) << "{}";
+    EXPECT_FALSE(quits());
+    w.press("Save");
+    EXPECT_FALSE(w.there("Discard") || holds<Quit>(commands)) << "the story could not be saved";
+    EXPECT_TRUE(w.there("Message"));
+}
+
 TEST_F(WindowStories, AVisitorFollowsNotesAndTours) {
     write_five_notes();
     const Story story = saved();

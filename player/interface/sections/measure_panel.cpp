@@ -216,6 +216,12 @@ void MeasurePanel::changed() {
     file_.save(survey_);
 }
 
+bool MeasurePanel::save_unsaved() {
+    if (!unsaved()) return true;
+    file_.save(survey_);
+    return !unsaved();
+}
+
 std::string MeasurePanel::free_name(Measure measure) const {
     for (int n = 1;; ++n) {
         const std::string name = std::string(tr(name_of(measure))) + " " + std::to_string(n);

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,6 +37,12 @@ class MeasurePanel {
     bool attend(Session& session, double now);
     /// Whether measurements are being saved, or attend() has yet to report the result of saving them.
     bool saves() const { return file_.busy(); }
+    /// Whether the measurements could not be saved, after waiting for pending writes; failed() does not wait.
+    bool unsaved() const { return file_.fails(); }
+    bool failed() const { return file_.failed(); }
+    /// Saves the measurements again if they could not be saved. Returns whether they are saved.
+    bool save_unsaved();
+    const std::filesystem::path& file() const { return file_.path(); }
     /// Sets the surface point under the pointer; nullopt: none.
     void point_at(const std::optional<SurveyPoint>& point) { under_ = point; }
     /// Adds the point under the pointer to the measurement.

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/text/error.h"
+#include "base/text/formatted.h"
 #include "base/text/translation.h"
 #include "player/interface/state/failure_text.h"
 #include "scene/story/story_file.h"
@@ -98,6 +99,16 @@ void save(ActiveStory& active) {
     write_story(active.file, active.story);
     active.on_disk = story_text(active.story);
     active.changed = false;
+}
+
+bool save(ActiveStory& active, Message& message, double now) {
+    try {
+        save(active);
+        say(message, formatted(tr("written to %s"), active.file.c_str()), now, active.file);
+    } catch (const Error& e) {
+        say(message, failure_text(tr("The story is not saved."), e), now);
+    }
+    return !active.changed;
 }
 
 }  // namespace vantage

@@ -52,5 +52,7 @@ void follow_language(ActiveStory& active, std::string& in_use, const std::string
 /// Writes the story to its file. Throws Error(usage) if another program has changed the file since it was
 /// read, and the errors of write_story().
 void save(ActiveStory& active);
+/// Does the same, and reports the file or the failure. Returns whether the story is saved.
+bool save(ActiveStory& active, Message& message, double now);
 
 }  // namespace vantage

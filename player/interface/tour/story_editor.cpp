@@ -197,12 +197,7 @@ void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View&
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::BeginDisabled(!active.changed);
-    if (c.button("Save the story")) try {
-            save(active);
-            say(s.message, formatted(tr("written to %s"), active.file.c_str()), now, active.file);
-        } catch (const Error& e) {
-            say(s.message, failure_text(tr("The story is not saved."), e), now);
-        }
+    if (c.button("Save the story")) save(active, s.message, now);
     ImGui::EndDisabled();
     ImGui::EndDisabled();
     ImGui::End();
