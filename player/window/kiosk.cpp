@@ -22,17 +22,13 @@ void start_tour(Kiosk& k, Session& s, double now) {
                                                       now, k.tour->seconds, k.tour->along}
                                   : Viewpoint::Flight{{s.viewpoint.camera, begin}, now, 2};
     k.tours = true;
-    s.window.panels.bar = s.window.panels.photos = s.window.panels.story = false;
 }
 
 }  // namespace
 
 void attend(Kiosk& k, Session& s, bool touched, double now) {
     if (touched) {
-        if (k.tours) {
-            s.viewpoint.flight.reset();
-            s.window.panels = k.panels;
-        }
+        if (k.tours) s.viewpoint.flight.reset();
         k.touched_at = now;
         k.idle = k.tours = false;
         return;

@@ -22,7 +22,7 @@ struct Kiosk {
 /// public.
 Kiosk make_kiosk(Session& session, std::optional<AttractLoop> tour, double home_after);
 
-/// Ends a tour on input; when idle, returns to the initial state and starts the tour, without any panels.
+/// Ends a tour on input; when idle, returns to the initial state and starts the tour.
 void attend(Kiosk& kiosk, Session& session, bool touched, double now);
 
 /// The time, in seconds, at which attend() must be called next if there is no input.

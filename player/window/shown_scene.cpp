@@ -25,9 +25,8 @@
 #include "player/interface/sections/picture_section.h"
 #include "player/interface/sidebar.h"
 #include "player/interface/state/failure_text.h"
-#include "player/interface/tour/invitation.h"
+#include "player/interface/tour/caption.h"
 #include "player/interface/tour/visitor_bar.h"
-#include "player/tour/tour_stop.h"
 #include "player/view/camera_path.h"
 #include "player/window/input/numbered_file.h"
 #include "player/window/input/view_clipboard.h"
@@ -121,8 +120,9 @@ View ShownScene::update(int width, int height, double now) {
     continue_flight(s.viewpoint, now, picture_.is_final());
     continue_tour(scene_.active, s.viewpoint, now);
     note_view(s.viewpoint, now);
-    layout_ = layout_of(s.window.panels, width, height, double(ImGui::GetFontSize()),
-                        !scene_.plan().photos.empty());
+    s.window.tour = scene_.active.playing || (kiosk_ && kiosk_->tours);
+    layout_ = layout_of(s.window.tour ? Panels{.bar = false, .photos = false} : s.window.panels, width,
+                        height, double(ImGui::GetFontSize()), !scene_.plan().photos.empty());
     s.window.free = layout_.free;
     s.window.picture = picture_area_.update(layout_, s.settings.compare, {width, height}, flight_end, now);
     s.settings.capacity = {width, height};
@@ -162,9 +162,18 @@ RenderSettings ShownScene::shown_settings() const {
     return settings;
 }
 
+/// A tour hides all panels.
 void ShownScene::interface(const View& view, double now) {
-    Session& s = session_;
     if (kiosk_ && kiosk_->tours) return invite(now);
+    if (scene_.active.playing)
+        tour_caption(now);
+    else
+        panels(view, now);
+    if (picture_.drawn()) dialogs(now);
+}
+
+void ShownScene::panels(const View& view, double now) {
+    Session& s = session_;
     if (s.window.panels.bar) visitor_bar(controls_, s, scene_.renderer, view, layout_.bar, now);
     if (!picture_.drawn()) return;  // the rest would delay the first picture
     const bool overlays = !picture_.in_parts();
@@ -193,6 +202,10 @@ void ShownScene::interface(const View& view, double now) {
     if (layout_.strip.height > 0) strip_.show(controls_, s, scene_.renderer, view, layout_.strip, now);
     tell(view, now);
     if (s.window.panels.help) help_panel(controls_, s.window);
+}
+
+void ShownScene::dialogs(double now) {
+    Session& s = session_;
     chooser_.attend(s.window.commands, s.message, package_folder(scene_.package()), now);
     open_dialog_.show(controls_, s.window);
     drop_dialog(controls_, s.window.commands, dropped_);
@@ -203,19 +216,29 @@ void ShownScene::interface(const View& view, double now) {
     note_navigation(s.window);
 }
 
+/// The note at whose stop the tour stands. On the way to the first stop, the tour's title.
+void ShownScene::tour_caption(double now) {
+    const ActiveStory& active = scene_.active;
+    const auto show = [&](const StoryText& title, const std::string& text) {
+        caption(controls_, text_in(active.story, title, active.language), text, session_.window.free);
+    };
+    const StoryTour& tour = active.story.tours[active.playing->tour];
+    if (active.open) {
+        const StoryNote& note = active.story.notes[*active.open];
+        show(note.title, text_in(active.story, note.text, active.language));
+    } else if (now < session_.viewpoint.flight->start + tour.stops.front().fly) {
+        show(tour.title, kiosk_ ? tr("Touch to end the tour") : tr("Esc or a click ends the tour"));
+    }
+}
+
 /// Invites visitors, and names the note at whose stop the tour stands.
 void ShownScene::invite(double now) {
+    const Story& story = scene_.active.story;
     const auto& flight = session_.viewpoint.flight;
-    const StoryTour& tour = kiosk_->tour->tour;
-    std::string title;
-    if (flight && flight->along && !tour.stops.empty()) {
-        const double seconds = now - flight->start;
-        const TourStop at = tour_stop(tour, seconds);
-        if (const StoryNote* note = note_of(scene_.active.story, tour.stops[at.stop].note);
-            note && seconds >= at.reached)
-            title = text_in(scene_.active.story, note->title, scene_.active.language);
-    }
-    invitation(controls_, title, session_.window.free);
+    const std::optional<std::size_t> note =
+        flight && flight->along ? note_at_stop(story, kiosk_->tour->tour, now - flight->start) : std::nullopt;
+    caption(controls_, note ? text_in(story, story.notes[*note].title, scene_.active.language) : "",
+            tr("Touch to begin"), session_.window.free);
 }
 
 /// Cuts the model with the session's planes, and draws the section.

@@ -55,7 +55,10 @@ class ShownScene {
     bool lacks_thumbnails() const { return layout_.strip.height > 0 && strip_.lacks_pictures(); }
     void pick(const View& view);
     void interface(const View& view, double now);
+    void panels(const View& view, double now);
+    void dialogs(double now);
     void tell(const View& view, double now);
+    void tour_caption(double now);
     void invite(double now);
     void add_objects(double now);
     void show_cut(const View& view);

@@ -17,6 +17,7 @@ struct Panels {
          image_sets = false, objects = false, surveying = false, movement = false, status = false;
     bool measure = false;                     ///< measuring mode
     bool story = true, story_editor = false;  ///< notes and tours, if there are any; the editor
+    bool operator==(const Panels&) const = default;
 };
 
 /// State of the window that is independent of the package.
@@ -40,6 +41,7 @@ struct WindowState {
     bool places_note = false;         ///< the next click on the model places a note
     bool hides_pieces = false;        ///< clicks hide pieces of the scene
     bool touched = false;             ///< any input since the last frame
+    bool tour = false;                ///< a tour hides the interface
     UserCommands commands;
 };
 

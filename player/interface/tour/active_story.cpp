@@ -9,6 +9,7 @@
 #include "base/text/formatted.h"
 #include "base/text/translation.h"
 #include "player/interface/state/failure_text.h"
+#include "player/tour/tour_stop.h"
 #include "scene/story/story_file.h"
 
 namespace vantage {
@@ -69,15 +70,17 @@ void continue_tour(ActiveStory& active, const Viewpoint& viewpoint, double now) 
     if (!active.playing) return;
     if (!viewpoint.flight || !viewpoint.flight->along)
         return active.playing.reset();  // the last card stays open
-    active.open.reset();
-    double at = viewpoint.flight->start;
-    for (const StoryStop& stop : active.story.tours[active.playing->tour].stops) {
-        at += stop.fly;
-        if (now >= at && now <= at + stop.stay)
-            if (const StoryNote* note = note_of(active.story, stop.note))
-                active.open = std::size_t(note - active.story.notes.data());
-        at += stop.stay;
-    }
+    active.open =
+        note_at_stop(active.story, active.story.tours[active.playing->tour], now - viewpoint.flight->start);
+}
+
+std::optional<std::size_t> note_at_stop(const Story& story, const StoryTour& tour, double seconds) {
+    if (tour.stops.empty()) return {};
+    const TourStop at = tour_stop(tour, seconds);
+    const StoryNote* const note = note_of(story, tour.stops[at.stop].note);
+    constexpr double rounding = 1e-6;  // seconds, of a flight that waits upon its arrival
+    if (!note || seconds < at.reached - rounding) return {};
+    return std::size_t(note - story.notes.data());
 }
 
 std::optional<Navigation> opening_of(const ActiveStory& active) {

@@ -43,6 +43,10 @@ void play_tour(ActiveStory& active, Session& session, std::size_t tour, double n
 /// with its flight, or when input interrupts it.
 void continue_tour(ActiveStory& active, const Viewpoint& viewpoint, double now);
 
+/// The note at whose stop a tour stands after a time in seconds; nullopt: it is on the way, or stands at a
+/// view.
+std::optional<std::size_t> note_at_stop(const Story& story, const StoryTour& tour, double seconds);
+
 /// The opening view, or nullopt if the story has none.
 std::optional<Navigation> opening_of(const ActiveStory& active);
 

@@ -159,6 +159,18 @@ void end_rotation(Session& s) {
     if ((pressed && !io.WantCaptureMouse) || other_key) s.viewpoint.flight.reset();
 }
 
+/// Esc or a click ends a tour, and does nothing else.
+void end_tour(Session& s) {
+    const ImGuiIO& io = ImGui::GetIO();
+    UserInput& input = s.window.input;
+    if (!s.window.tour || io.WantCaptureKeyboard || io.WantCaptureMouse) return;  // a dialog is open
+    const bool clicked = std::ranges::count(input.clicks, false, &Click::second) > 0 ||
+                         ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
+    if (!take_key(input, GLFW_KEY_ESCAPE) && !clicked) return;
+    s.viewpoint.flight.reset();
+    input.clicks.clear();
+}
+
 template <class Enum>
 void next(Enum& value) {
     value = Enum((int(value) + 1) % int(Enum::count));
@@ -304,7 +316,9 @@ void run_shortcut(Session& s, const PlanScene& scene, int key, double now) {
 
 void apply_input(Session& session, const PlanScene& scene, double now) {
     using With = KeyPress::With;
+    const Panels before = session.window.panels;
     end_rotation(session);
+    end_tour(session);
     move_by_pointer(session, scene, now);
     for (const KeyPress& p : session.window.input.keys)
         if (p.with == With::control) run_command(session.window, p);
@@ -323,6 +337,7 @@ void apply_input(Session& session, const PlanScene& scene, double now) {
         session.window.input.keys.assign(keys.begin() + std::ptrdiff_t(i) + 1, keys.end());  // for the dialog
         return;
     }
+    if (session.window.tour && before != session.window.panels) session.viewpoint.flight.reset();
 }
 
 bool keys_in_use(const UserInput& input) { return !input.keys.empty() || !input.held.empty(); }
