@@ -1,6 +1,7 @@
 #include "player/interface/undo.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <utility>
 
@@ -83,8 +84,11 @@ void UndoHistory::move(Session& s, ActiveStory& active, MeasurePanel& measure, b
 }
 
 void UndoHistory::attend(Session& s, ActiveStory& active, MeasurePanel& measure, double now) {
-    const bool in_use = ImGui::IsAnyItemActive() || ImGui::IsAnyMouseDown();
-    if (!in_use) record(s, active, measure);
+    const bool held = ImGui::IsAnyMouseDown(), in_use = held || ImGui::IsAnyItemActive(),
+               pressed = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
+    // A control may change something in the frame in which it is clicked, but not when a key selects it.
+    const unsigned last = std::exchange(control_, ImGui::GetActiveID());
+    if (!in_use || pressed || (control_ != last && !held)) record(s, active, measure);
     while (const auto command = take_one_of<Undo, Redo>(s.window.commands))
         if (!in_use) move(s, active, measure, std::holds_alternative<Undo>(*command), now);
 }

@@ -114,6 +114,7 @@ void ShownScene::pick(const View& view) {
 View ShownScene::update(int width, int height, double now) {
     Session& s = session_;
     if (kiosk_) attend(*kiosk_, s, s.window.touched, now);
+    undo_.attend(s, scene_.active, scene_.measure, now);
     if (scene_.attend(s)) picture_.refine_again();
     use_clipboard(s, scene_.package(), now);
     const auto flight_end = end_of_flight(s.viewpoint);
@@ -131,7 +132,6 @@ View ShownScene::update(int width, int height, double now) {
     shown_at_ = now;
     if (take_all<CloseMenus>(s.window.commands)) controls_.close_menus();
     interface(view, now);
-    undo_.attend(s, scene_.active, scene_.measure, now);
     path_recorder_.attend(s, picture_.is_final(), scene_.package(), now);
     add_objects(now);
     scene_.asked_files.attend(s, scene_.package(), scene_.objects, now);

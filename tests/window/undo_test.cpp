@@ -53,11 +53,18 @@ TEST_F(WindowUndo, GoesBackThroughSettingsCutsMeasurementsAndNotesAndForthAgain)
     w.key(GLFW_KEY_E, control);
     w.press("Add a note");
     click(w, {1.6, 0, 3.7});
-    w.press("Title of the note"), w.type("Tower"), w.key(GLFW_KEY_ENTER);
-    EXPECT_TRUE(w.there("Note 1") && shows("Tower"));
+    w.press("Title of the note"), w.type("Tower"), w.key(GLFW_KEY_TAB), w.type("1702");
+    const double mark = w.place("Note 1").y();
+    w.point_at(w.place("Note 1")), w.drag(0, 0, -40);
+    EXPECT_TRUE(w.place("Note 1").y() < mark - 20 && shows("Tower") && shows("1702"));
 
     undo();
-    EXPECT_TRUE(w.there("Note 1") && !shows("Tower")) << "the title is one step";
+    EXPECT_NEAR(w.place("Note 1").y(), mark, 1);
+    EXPECT_TRUE(shows("Tower") && shows("1702")) << "the drag of a mark is one step";
+    undo();
+    EXPECT_TRUE(shows("Tower") && !shows("1702")) << "each field is one step";
+    undo();
+    EXPECT_TRUE(w.there("Note 1") && !shows("Tower"));
     undo();
     EXPECT_FALSE(w.there("Note 1"));
     EXPECT_FALSE(w.there("Snap to vertices"));
@@ -77,7 +84,7 @@ TEST_F(WindowUndo, GoesBackThroughSettingsCutsMeasurementsAndNotesAndForthAgain)
     undo();
     EXPECT_TRUE(shows("Nothing to undo"));
 
-    for (int i = 0; i < 7; ++i) redo();
+    for (int i = 0; i < 9; ++i) redo();
     EXPECT_TRUE(show == Show::sources && w.session.cut.share == cut_at && !w.session.cut.on);
     EXPECT_TRUE(w.there("distance 1") && w.there("Note 1") && shows("Tower"));
     redo();
@@ -85,7 +92,7 @@ TEST_F(WindowUndo, GoesBackThroughSettingsCutsMeasurementsAndNotesAndForthAgain)
     SurveyFile file = survey_file_of(dir / "one.vantage", false);
     written_until(w, file.path,
                   [&](const std::string&) { return read_survey(file, {}).measurements.size() == 1; });
-    undo(), undo(), undo();
+    for (int i = 0; i < 5; ++i) undo();
     click(w, {1.6, 0, 3.7});
     undo();
     click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
