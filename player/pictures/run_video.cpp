@@ -74,6 +74,7 @@ class Frames {
         settings_.points = point_settings(o.points);
         renderer_.hide(hidden_balls(story, input_axes(package)));
         if (story.background) settings_.plain_background = plain_background_of(*story.background);
+        if (story.only_object) settings_.background = ShowBackground::off;
         has_legend_ = o.pictures.legend && stereo_.mode == StereoMode::off;
         // If only some photos are blended, the selection changes between frames, so photos fade in and out as
         // in the window.

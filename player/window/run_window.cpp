@@ -37,11 +37,13 @@ namespace vantage {
 namespace {
 
 /// Saves settings for the next session. The names of image sets that were saved earlier are kept if the
-/// package has fewer than two image sets. The exposure is omitted, since it refers to a photo of this
-/// package.
+/// package has fewer than two image sets. Omits the exposure, since it refers to a photo of this package, and
+/// the background if the story hides it.
 void remember(const Session& session, const PackageReader& package, Remembered& r) {
+    const ShowBackground background = r.settings.background;
     r.settings = session.settings;
     r.settings.exposure.reset();
+    if (session.defaults.settings.background == ShowBackground::off) r.settings.background = background;
     const std::vector<ImageSet> image_sets = read_image_sets(package);
     if (image_sets.size() < 2) return;
     const ImageSetSettings& shown = session.settings.image_sets;

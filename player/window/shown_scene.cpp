@@ -54,7 +54,8 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       picture_(scene_, o, session),
       session_(session),
       controls_(controls),
-      open_dialog_(package_folder(package)) {
+      open_dialog_(package_folder(package)),
+      story_editor_(scene_.renderer.scene().has_background()) {
     if (!o.window.kiosk) return;
     const StoryAttract attract = scene_.active.story.attract.value_or(StoryAttract{});
     const double home_after = o.window.home_after > 0 ? o.window.home_after : attract.after;

@@ -105,6 +105,8 @@ void begin_in_scene(Session& s, const PackageReader& package, const ActiveStory&
     s.defaults.movement.near_photos = active.story.limits.near_photos;
     s.defaults.movement.farthest = active.story.limits.farthest;
     s.movement = s.defaults.movement;
+    if (active.story.only_object)
+        s.settings.background = s.defaults.settings.background = ShowBackground::off;
     s.settings.plain_background = active.story.background ? plain_background_of(*active.story.background)
                                                           : plain_background_of(package.scene());
 }

@@ -91,6 +91,7 @@ struct Story {
     std::string web{};  ///< address of the scene's page on the web; may be empty
     std::optional<StoryView> opening{};
     std::optional<StoryBackground> background{};
+    bool only_object = false;  ///< hides the photographed background at first
     StoryLimits limits{};
     std::vector<StoryBall> hidden{};
     std::vector<StoryNote> notes;

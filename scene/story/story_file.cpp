@@ -178,8 +178,8 @@ void expect_different(const std::vector<Item>& items, const LocatedJson& at) {
 }
 
 Story read_top(const LocatedJson& at) {
-    at.expect_object({"format", "language", "title", "web", "opening", "background", "limits", "hidden",
-                      "notes", "tours", "attract"});
+    at.expect_object({"format", "language", "title", "web", "opening", "background", "only_object", "limits",
+                      "hidden", "notes", "tours", "attract"});
     if (at.at("format").text(max_title) != story_format)
         at.at("format").fail('"' + std::string(story_format) + '"');
     Story out;
@@ -188,6 +188,7 @@ Story read_top(const LocatedJson& at) {
     if (at.has("web")) out.web = read_web(at.at("web"));
     if (at.has("opening")) out.opening = read_view(at.at("opening"));
     if (at.has("background")) out.background = read_background(at.at("background"));
+    if (at.has("only_object")) out.only_object = at.at("only_object").boolean();
     if (at.has("limits")) out.limits = read_limits(at.at("limits"));
     if (at.has("hidden")) out.hidden = read_hidden(at.at("hidden"));
     if (at.has("notes")) {
@@ -280,6 +281,7 @@ ordered_json json_of(const Story& story) {
     if (!story.web.empty()) out["web"] = story.web;
     if (story.opening) out["opening"] = json_of(*story.opening);
     if (story.background) out["background"] = json_of(*story.background);
+    if (story.only_object) out["only_object"] = true;
     if (story.limits != StoryLimits{}) out["limits"] = json_of(story.limits);
     for (const StoryBall& ball : story.hidden)
         out["hidden"].push_back({{"center", json_of(ball.center)}, {"radius", ball.radius}});

@@ -64,13 +64,19 @@ TEST_F(WindowStories, ACuratorWritesOrdersAndDeletesNotes) {
     w.resize(1400, 900);
     w.key(GLFW_KEY_E, KeyPress::With::control);
     const Vector3d opening = stands_at(w);
+    w.press("Title of the story"), w.type("Chapel");
     w.press("Set the opening view");
+    EXPECT_TRUE(w.there("Message"));
+    EXPECT_EQ(w.session.viewpoint.home.eye, w.session.viewpoint.camera.eye) << "H flies there";
     add_note(w, "Tower");
     w.press("Text of the note"), w.type("Built in 1702");
     for (const char* title : {"Door", "Roof", "Gate", "Stairs"}) add_note(w, title);
     w.press("Make a tour of all notes");
+    w.fill_in("Flight", "1.5"), w.fill_in("Stay", "9999");
+    w.press("Make a tour of all notes");
     w.press("Save the story");
     Story story = saved();
+    EXPECT_EQ(story.title.plain, "Chapel");
     EXPECT_EQ(titles(story), "Tower Door Roof Gate Stairs");
     EXPECT_EQ(story.notes[0].text.plain, "Built in 1702");
     EXPECT_EQ(story.notes[0].picture, "picture.png");
@@ -81,6 +87,8 @@ TEST_F(WindowStories, ACuratorWritesOrdersAndDeletesNotes) {
     ASSERT_EQ(story.tours.size(), 1u);
     ASSERT_EQ(story.tours[0].stops.size(), 5u);
     for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(story.tours[0].stops[i].note, story.notes[i].id);
+    EXPECT_EQ(story.tours[0].stops[4].fly, 1.5) << "kept when the tour is made again";
+    EXPECT_EQ(story.tours[0].stops[4].stay, 3600) << "the longest";
     w.press("Move up");
     w.press("Save the story");
     EXPECT_EQ(titles(saved()), "Tower Door Roof Stairs Gate");

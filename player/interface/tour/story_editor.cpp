@@ -20,14 +20,40 @@ std::string edited_language(const ActiveStory& active) {
     return std::ranges::count(languages, active.language) ? active.language : active.story.language;
 }
 
-/// A tour of all notes with a view, in their order.
+/// A tour of all notes with a view, in their order. Keeps the durations of stops.
 void make_tour(Story& story) {
     auto tour = std::ranges::find(story.tours, "all", &StoryTour::id);
     if (tour == story.tours.end()) tour = story.tours.insert(tour, {"all", {"All notes", {}}, {}});
-    tour->stops.clear();
-    for (const StoryNote& note : story.notes)
-        if (note.view) tour->stops.push_back({note.id, {}});
+    const std::vector<StoryStop> before = std::exchange(tour->stops, {});
+    for (const StoryNote& note : story.notes) {
+        if (!note.view) continue;
+        const auto stop = std::ranges::find(before, note.id, &StoryStop::note);
+        tour->stops.push_back(stop == before.end() ? StoryStop{note.id} : *stop);
+    }
     if (tour->stops.empty()) story.tours.erase(tour);
+}
+
+/// The durations of the stops at a note.
+void durations(Controls& c, ActiveStory& active, const std::string& note) {
+    constexpr double most = 3600;
+    const auto seconds = [&](const char* name, double& value) {
+        ImGui::SetNextItemWidth(4 * ImGui::GetFontSize());
+        if (!c.number(name, &value, "%g")) return;
+        value = std::clamp(value, 0.0, most);
+        active.changed = true;
+    };
+    for (StoryTour& tour : active.story.tours)
+        for (StoryStop& stop : tour.stops) {
+            if (stop.note != note) continue;
+            const std::string& title = text_in(active.story, tour.title, active.language);
+            ImGui::PushID(&stop);
+            ImGui::TextDisabled(tr("In the tour %s, in seconds:"),
+                                title.empty() ? tour.id.c_str() : title.c_str());
+            seconds(MARKED_IN("stop", "Flight"), stop.fly);
+            ImGui::SameLine();
+            seconds(MARKED_IN("stop", "Stay"), stop.stay);
+            ImGui::PopID();
+        }
 }
 
 }  // namespace
@@ -91,20 +117,33 @@ void StoryEditor::place_buttons(Controls& c, ActiveStory& active, Session& s, co
     ImGui::SameLine();
 }
 
-/// Copies the texts of the open note to the text fields.
+/// Copies the texts of the story and of the open note to the text fields.
 void StoryEditor::take(const ActiveStory& active) {
     const std::string language = edited_language(active);
     if (edited_ == active.open && language_ == language && ImGui::IsAnyItemActive()) return;
     edited_ = active.open;
     language_ = language;
-    if (!edited_) return;
-    const StoryNote& note = active.story.notes[*edited_];
     const auto copy = [](auto& field, const std::string& words) {
         std::snprintf(field.data(), field.size(), "%s", words.c_str());
     };
+    copy(story_title_, text_in(active.story, active.story.title, language));
+    if (!edited_) return;
+    const StoryNote& note = active.story.notes[*edited_];
     copy(title_, text_in(active.story, note.title, language));
     copy(text_, text_in(active.story, note.text, language));
     copy(picture_, note.picture);
+}
+
+/// The story also keeps whether the background is hidden.
+void StoryEditor::set_opening(ActiveStory& active, Session& s, double now) const {
+    active.story.opening = story_view(s.viewpoint.camera, active.axes);
+    active.story.only_object = background_ && s.settings.background == ShowBackground::off;
+    active.changed = true;
+    s.viewpoint.home = s.viewpoint.camera;
+    say(s.message,
+        active.story.only_object ? tr("The story opens with this view, without the background")
+                                 : tr("The story opens with this view"),
+        now);
 }
 
 void StoryEditor::fields(Controls& c, ActiveStory& active) {
@@ -128,6 +167,7 @@ void StoryEditor::fields(Controls& c, ActiveStory& active) {
         active.changed = true;
     }
     c.note("Picture file of the note");
+    durations(c, active, note.id);
     ImGui::PopID();
 }
 
@@ -176,11 +216,17 @@ void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View&
                                      : active.trouble.c_str());
     ImGui::BeginDisabled(fixed);
     if (!fixed) take_click(active, s, surfaces.model, now);
-    place_buttons(c, active, s, view, surfaces.model);
-    if (c.button("Set the opening view")) {
-        active.story.opening = story_view(s.viewpoint.camera, active.axes);
+    take(active);
+    ImGui::SetNextItemWidth(300);
+    if (ImGui::InputTextWithHint("##story", tr("Title of the story"), story_title_.data(),
+                                 story_title_.size())) {
+        set_text(active.story, active.story.title, language_, story_title_.data());
         active.changed = true;
     }
+    c.note("Title of the story");
+    place_buttons(c, active, s, view, surfaces.model);
+    if (c.button("Set the opening view")) set_opening(active, s, now);
+    c.explain("The story opens with this view, and without the background if it is hidden now.");
     if (s.window.places_note) ImGui::TextDisabled("%s", tr("Click on the model; Esc cancels."));
     brush_.show(c, active, s, view, surfaces.anything, now);
     take(active);

@@ -15,15 +15,18 @@ namespace vantage {
 bool place_note(ActiveStory& active, std::size_t note, const Session& session, const SurfaceAt& surface,
                 const Eigen::Vector2d& pixel);
 
-/// The panel for writing a story. The panel adds notes at points on the surface that are clicked, edits the
-/// open note, sorts the notes, makes a tour of them, and saves the story. Texts are edited in the displayed
-/// language.
+/// The panel for writing a story. The panel sets the title and the opening view, adds notes at points on the
+/// surface that are clicked, edits the open note and its stops in tours, sorts the notes, makes a tour of
+/// them, and saves the story. Texts are edited in the displayed language.
 class StoryEditor {
   public:
     /// The places at a pixel; either may be empty.
     struct Surfaces {
         SurfaceAt model, anything;  ///< on the mesh; on the mesh or else the background
     };
+
+    /// `background`: whether the scene has a photographed background.
+    explicit StoryEditor(bool background) : background_(background) {}
     void show(Controls& controls, ActiveStory& active, Session& session, const View& view,
               const Surfaces& surfaces, double now);
 
@@ -33,15 +36,17 @@ class StoryEditor {
     void place_buttons(Controls& controls, ActiveStory& active, Session& session, const View& view,
                        const SurfaceAt& surface);
     void take_click(ActiveStory& active, Session& session, const SurfaceAt& surface, double now);
+    void set_opening(ActiveStory& active, Session& session, double now) const;
     void fields(Controls& controls, ActiveStory& active);
     void buttons(Controls& controls, ActiveStory& active, const Session& session);
     void take(const ActiveStory& active);
 
     HidingBrush brush_;
+    bool background_;
     bool moves_ = false;                 ///< the next click moves the open note's anchor
     std::optional<std::size_t> edited_;  ///< the note in the text fields
     std::string language_;               ///< language of the edited texts
-    std::array<char, 501> title_{};
+    std::array<char, 501> story_title_{}, title_{};
     std::array<char, 20001> text_{};
     std::array<char, 501> picture_{};
 };

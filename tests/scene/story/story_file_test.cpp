@@ -20,6 +20,7 @@ const char* const chapel = R"({
   "web": "https://example.org/chapel?from=kiosk",
   "opening": {"eye": [4512340.125, 5345210.5, 2], "target": [4512344, 5345210.5, 1], "fov": 40},
   "background": {"top": "#20262E", "bottom": "#000000", "soft_edges": 0.1},
+  "only_object": true,
   "limits": {"near_photos": false, "farthest": 37.5},
   "hidden": [{"center": [4512344, 5345211, 8.5], "radius": 0.25}],
   "notes": [
@@ -71,6 +72,7 @@ TEST_F(StoryFile, IsReadAsItIsWritten) {
     EXPECT_EQ(story.background->top, (StoryColor{0x20, 0x26, 0x2e}));
     EXPECT_EQ(story.background->bottom, (StoryColor{0, 0, 0}));
     EXPECT_EQ(story.background->soft_edges, 0.1);
+    EXPECT_TRUE(story.only_object);
     EXPECT_FALSE(story.limits.near_photos);
     EXPECT_EQ(story.limits.farthest, 37.5);
     EXPECT_EQ(story.web, "https://example.org/chapel?from=kiosk");
@@ -132,7 +134,7 @@ TEST_F(StoryFile, ErrorsNameThePlaceWhatWasFoundAndWhatWasExpected) {
               "format: found \"vantage-story-2\", expected \"vantage-story-1\"");
     EXPECT_EQ(error_of("[1, 2]"),
               "found an array of 2, expected an object with format, language, title, web, opening, "
-              "background, limits, hidden, notes, tours, attract");
+              "background, only_object, limits, hidden, notes, tours, attract");
     EXPECT_EQ(error_with(R"("opening": {"eye": [0, 0, 0], "target": [1, 0, 0], "fov": 200})"),
               "opening.fov: found 200, expected a number from 0.02 to 178");
     EXPECT_EQ(error_with(R"("opening": {"eye": [0, 0, 0], "target": [1, 0]})"),
