@@ -111,7 +111,7 @@ bool groups(Controls& c, Session& s, const SidebarContent& content, double now) 
     const Renderer& renderer = content.renderer;
     Panels& p = s.window.panels;
     group(c, s, {marked("Picture"), "F12", &p.picture}, of_picture,
-          [&] { picture_section(c, s, renderer, p.picture); });
+          [&] { picture_section(c, s, renderer, p.picture, now); });
     if (!renderer.scene().photos.empty()) {
         group(c, s, {marked("Photos"), "", &p.photo_list}, of_photos,
               [&] { photo_list_section(c, s, renderer, now, p.photo_list); });

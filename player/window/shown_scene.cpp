@@ -122,6 +122,7 @@ View ShownScene::update(int width, int height, double now) {
     continue_flight(s.viewpoint, now, picture_.is_final());
     continue_tour(scene_.active, s.viewpoint, now);
     note_view(s.viewpoint, now);
+    end_comparison_off_photo(s, scene_.plan(), now);
     s.window.tour = scene_.active.playing || (kiosk_ && kiosk_->tours);
     layout_ = layout_of(s.window.tour ? Panels{.bar = false, .photos = false} : s.window.panels, width,
                         height, double(ImGui::GetFontSize()), !scene_.plan().photos.empty());

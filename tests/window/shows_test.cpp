@@ -136,6 +136,20 @@ TEST_F(WindowShows, AComparisonLeavesThePhotoOutOfTheModelAndIsCroppedToIt) {
     }
 }
 
+TEST_F(WindowShows, AComparisonEndsWhenTheViewLeavesThePhoto) {
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    w.key(GLFW_KEY_C), w.wait(1);
+    EXPECT_TRUE(w.there("Swipe") && !w.there("Message"));
+    w.point_at({250, 200}), w.drag(0, 60, 0);
+    EXPECT_FALSE(w.there("Swipe"));
+    EXPECT_TRUE(w.there("Message"));
+    const Compare& compare = w.session.settings.compare;
+    w.key(GLFW_KEY_F12), w.choose("Compare", "side by side"), w.wait(1);
+    EXPECT_EQ(compare, Compare::side_by_side) << "the list flies to the photo";
+    w.key(GLFW_KEY_N), w.wait(1);
+    EXPECT_EQ(compare, Compare::side_by_side) << "with the next photo";
+}
+
 TEST_F(WindowShows, AComparisonReadsNothingAgain) {
     const HeadlessWindow w(package_of(WindowScene::tiny));
     Renderer renderer(w.package(), {});

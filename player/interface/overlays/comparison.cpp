@@ -140,6 +140,17 @@ void toggle_comparison(Session& s, const PlanScene& scene, const View& view, dou
     fly_to(s, *photo, scene.photos[*photo], now);
 }
 
+void end_comparison_off_photo(Session& s, const PlanScene& scene, double now) {
+    constexpr double farthest = 0.01;  // fraction of the distance to the target
+    const std::uint32_t photo = s.settings.compare_photo;
+    const Navigation& camera = s.viewpoint.camera;
+    if (s.settings.compare == Compare::nothing || s.viewpoint.flight || photo >= scene.poses.size() ||
+        (scene.poses[photo].center() - camera.eye).norm() < farthest * (camera.target - camera.eye).norm())
+        return;
+    s.settings.compare = Compare::nothing;
+    say(s.message, tr("The comparison has ended, because the view has left the photo"), now);
+}
+
 void false_color_legend(Controls& c, const Session& s, const PlanScene& scene) {
     const float em = ImGui::GetFontSize(), x = float(s.window.free.left) + em,
                 y = float(s.window.free.top + s.window.free.height) - 2 * em;

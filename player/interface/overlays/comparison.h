@@ -16,6 +16,9 @@ void comparison(Controls& controls, Session& session, const PlanScene& scene, co
 /// progress.
 void toggle_comparison(Session& session, const PlanScene& scene, const View& view, double now);
 
+/// Ends a comparison when the camera has left the photo's: the photo would no longer match the model.
+void end_comparison_off_photo(Session& session, const PlanScene& scene, double now);
+
 /// Legend of the picture's false colors.
 void false_color_legend(Controls& controls, const Session& session, const PlanScene& scene);
 

@@ -52,11 +52,15 @@ void surface_controls(Controls& c, Session& s, const Renderer& renderer) {
         r.exposure = own ? std::optional(s.viewpoint.standing_at) : std::nullopt;
 }
 
-void comparison_choice(Controls& c, RenderSettings& r) {
+void comparison_choice(Controls& c, Session& s, const PlanScene& scene, double now) {
+    RenderSettings& r = s.settings;
     static const char* const compares[] = {MARKED_IN("comparison", "nothing"), marked("side by side"),
                                            marked("swipe"), marked("difference")};
-    if (choice(c, MARKED_IN("setting", "Compare"), r.compare, compares) && r.compare != Compare::nothing)
+    if (choice(c, MARKED_IN("setting", "Compare"), r.compare, compares) && r.compare != Compare::nothing) {
         r.image_sets.how = ImageSetView::mix;  // one comparison at a time
+        if (r.compare_photo < scene.photos.size())
+            fly_to(s, r.compare_photo, scene.photos[r.compare_photo], now);
+    }
     c.explain(
         "Compares the photo you flew to last with the model as blended from the other photos. Drag the line "
         "in the picture.");
@@ -138,10 +142,10 @@ void picture_content(Controls& c, Session& s, const Renderer& renderer, bool mor
     if (more) surface_controls(c, s, renderer);
 }
 
-void picture_section(Controls& c, Session& s, const Renderer& renderer, bool more) {
+void picture_section(Controls& c, Session& s, const Renderer& renderer, bool more, double now) {
     picture_content(c, s, renderer, more);
     if (!more) return;
-    if (!renderer.scene().photos.empty()) comparison_choice(c, s.settings);
+    if (!renderer.scene().photos.empty()) comparison_choice(c, s, renderer.scene(), now);
     if (!s.viewpoint.orthographic && s.settings.compare == Compare::nothing) stereo_controls(c, s.stereo);
 }
 

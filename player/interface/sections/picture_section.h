@@ -8,7 +8,7 @@ namespace vantage {
 /// Background and light, and if `more`, the lamp, glass and exposure.
 void picture_content(Controls& controls, Session& session, const Renderer& renderer, bool more = true);
 /// The controls of picture_content(), and if `more`, comparison and stereo.
-void picture_section(Controls& controls, Session& session, const Renderer& renderer, bool more);
+void picture_section(Controls& controls, Session& session, const Renderer& renderer, bool more, double now);
 
 void movement_section(Controls& controls, MovementSettings& movement);
 
