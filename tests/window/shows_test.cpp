@@ -44,7 +44,8 @@ TEST_F(WindowShows, TooltipsExplainWhatIsUnderThePointer) {
     for (const char* tool :
          {"Home", "Photos", "Compare", "Light", "Only the object", "Help", "Full screen", "Expert"}) {
         w.point_at(w.place(std::string("Bar ") + tool)), w.frames(3);
-        EXPECT_TRUE(w.there("Tooltip")) << tool;
+        ASSERT_TRUE(w.there("Tooltip")) << tool;
+        EXPECT_LT(w.find("Tooltip")->high.y, w.find(std::string("Bar ") + tool)->low.y) << "covers tools";
     }
     w.session.settings.field.index = 0;
     w.session.settings.light.light = Light::raking;

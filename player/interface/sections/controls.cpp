@@ -94,6 +94,13 @@ void Controls::write_places(const std::filesystem::path& file, bool rests) const
 
 void Controls::explain(const char* text) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    // Above or below the item, so that the items beside it stay visible.
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(),
+                 screen = ImGui::GetIO().DisplaySize;
+    const float x = std::clamp(ImGui::GetIO().MousePos.x, low.x, high.x), gap = 0.5f * ImGui::GetFontSize();
+    const bool above = low.y + high.y > screen.y;
+    ImGui::SetNextWindowPos(ImVec2(x, above ? low.y - gap : high.y + gap), ImGuiCond_Always,
+                            ImVec2(x / std::max(1.0f, screen.x), above ? 1 : 0));
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
     ImGui::TextUnformatted(tr(text));

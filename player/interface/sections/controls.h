@@ -36,8 +36,8 @@ class Controls {
     };
     const std::vector<Place>& places() const { return places_; }
 
-    /// Shows a tooltip, in the user's language, for ImGui's last item, even if that item is disabled.
-    /// Recorded as "Tooltip".
+    /// Shows a tooltip, in the user's language, above or below ImGui's last item, even if that item is
+    /// disabled. Recorded as "Tooltip".
     void explain(const char* text);
 
     /// Begins a window for a handle in the picture, which is ImGui's last item. ImGui::End() must follow.
