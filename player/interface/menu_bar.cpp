@@ -32,16 +32,16 @@ void view_menu(Controls& c, Session& s, const Renderer& renderer, double now) {
     toggle("Radar", "F6", s.window.panels.radar);
     toggle("Measure", "M", s.window.panels.measure);
     toggle("Notes and tours", "J", s.window.panels.story);
-    toggle("Edit the story", "Ctrl+E", s.window.panels.story_editor);
+    toggle("Edit the story", marked("Ctrl+E"), s.window.panels.story_editor);
     ImGui::Separator();
     toggle("Full screen", "F11", s.window.full_screen);
     if (c.menu("Language")) {
         language_items(c, s.window);
         ImGui::EndMenu();
     }
-    if (c.menu_item("Larger text", "Ctrl++"))
+    if (c.menu_item("Larger text", marked("Ctrl++")))
         s.window.text_scale = std::min(s.window.text_scale * text_step, max_text_scale);
-    if (c.menu_item("Smaller text", "Ctrl+-"))
+    if (c.menu_item("Smaller text", marked("Ctrl+-")))
         s.window.text_scale = std::max(s.window.text_scale / text_step, least_text_scale);
 }
 
@@ -52,15 +52,15 @@ void menu_bar(Controls& c, Session& s, const Renderer& renderer, double now) {
     if (c.menu("File")) {
         if (c.menu_item("Open...", "O")) s.window.commands.push_back(ChooseFile{});
         if (c.menu_item("Screenshot", "P")) s.window.commands.push_back(SaveScreenshot{});
-        if (c.menu_item("Copy view", "Ctrl+C")) s.window.commands.push_back(CopyView{});
-        if (c.menu_item("Paste view", "Ctrl+V"))
+        if (c.menu_item("Copy view", marked("Ctrl+C"))) s.window.commands.push_back(CopyView{});
+        if (c.menu_item("Paste view", marked("Ctrl+V")))
             if (const char* text = ImGui::GetClipboardText()) s.window.commands.push_back(PasteView{text});
-        if (c.menu_item("Quit", "Ctrl+Q")) s.window.commands.push_back(Quit{});
+        if (c.menu_item("Quit", marked("Ctrl+Q"))) s.window.commands.push_back(Quit{});
         ImGui::EndMenu();
     }
     if (c.menu("Edit")) {
-        if (c.menu_item("Undo", "Ctrl+Z")) s.window.commands.push_back(Undo{});
-        if (c.menu_item("Redo", "Ctrl+Shift+Z")) s.window.commands.push_back(Redo{});
+        if (c.menu_item("Undo", marked("Ctrl+Z"))) s.window.commands.push_back(Undo{});
+        if (c.menu_item("Redo", marked("Ctrl+Shift+Z"))) s.window.commands.push_back(Redo{});
         ImGui::EndMenu();
     }
     if (c.menu("View")) {

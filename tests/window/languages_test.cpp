@@ -70,6 +70,17 @@ TEST_F(WindowLanguages, AWordIsTranslatedByItsSense) {
     EXPECT_STREQ(tr_in("object", "Move"), "Verschieben");
 }
 
+TEST_F(WindowLanguages, MenusNameTheKeysOfTheKeyboard) {
+    HeadlessWindow w(package_of(WindowScene::tiny), in("de"));
+    w.key(GLFW_KEY_TAB);
+    for (const char* menu : {"File", "Edit", "View"}) {
+        w.press(menu);
+        EXPECT_NE(shown_text().find("Strg+"), std::string::npos) << menu;
+        EXPECT_EQ(shown_text().find("Ctrl"), std::string::npos) << menu;
+        w.press(menu);
+    }
+}
+
 TEST_F(WindowLanguages, ControlsAreKnownWithoutContexts) {
     for (const char* language : {"en", "de"}) {
         HeadlessWindow w(package_of(WindowScene::tiny), in(language));

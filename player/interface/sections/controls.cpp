@@ -285,7 +285,7 @@ bool Controls::heading(const char* name, const char* key, bool* more, bool chang
 }
 
 bool Controls::menu_item(const char* name, const char* key, bool selected) {
-    const bool pressed = ImGui::MenuItem(shown_name(name).c_str(), key, selected);
+    const bool pressed = ImGui::MenuItem(shown_name(name).c_str(), key && *key ? tr(key) : key, selected);
     note(name);
     return pressed;
 }

@@ -66,6 +66,7 @@ class Controls {
     /// if the group's settings were `changed`. `key`: the key that also toggles `more`, or empty. Returns
     /// whether Reset was pressed.
     bool heading(const char* name, const char* key, bool* more, bool changed);
+    /// `key`: English, translated here; may be empty or null.
     bool menu_item(const char* name, const char* key, bool selected = false);
     /// Whether the menu is open; if so, ImGui::EndMenu() must follow.
     bool menu(const char* name);
