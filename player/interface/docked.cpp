@@ -21,4 +21,9 @@ void keep_within(const Area& area) {
     if (inside.x != at.x || inside.y != at.y) ImGui::SetWindowPos(inside);
 }
 
+ImGuiWindowFlags reading_panel(const WindowState& window) {
+    const ImGuiWindowFlags fixed = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse;
+    return ImGuiWindowFlags_AlwaysAutoResize | (window.kiosk ? fixed : ImGuiWindowFlags_None);
+}
+
 }  // namespace vantage

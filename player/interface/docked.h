@@ -1,7 +1,7 @@
 #pragma once
 #include <imgui.h>
 
-#include "player/view/view.h"
+#include "player/interface/state/window_state.h"
 
 namespace vantage {
 
@@ -11,5 +11,8 @@ void begin_docked(const char* name, const Area& area, ImVec2 padding, ImGuiWindo
 
 /// Moves the current ImGui window into an area if its upper left corner or its right side is outside.
 void keep_within(const Area& area);
+
+/// The flags of a panel that visitors can read. In a kiosk, they can neither move nor collapse it.
+ImGuiWindowFlags reading_panel(const WindowState& window);
 
 }  // namespace vantage

@@ -6,6 +6,7 @@
 
 #include "base/text/formatted.h"
 #include "base/text/translation.h"
+#include "player/interface/docked.h"
 #include "player/render/passes/blend_table.h"
 
 namespace vantage {
@@ -71,7 +72,7 @@ void help_panel(Controls& c, WindowState& window) {
     ImGui::SetNextWindowBgAlpha(1);
     const char* const title = marked("Mouse, fingers and keys");
     if (ImGui::Begin(shown_name(title).c_str(), &window.panels.help,
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
+                     reading_panel(window) | ImGuiWindowFlags_NoSavedSettings)) {
         for (const Shortcut& line : shortcuts())
             if (line.for_public || !window.kiosk) show_line(line);
         ImGui::Separator();

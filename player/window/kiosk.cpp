@@ -26,7 +26,7 @@ void start_tour(Kiosk& k, Session& s, double now) {
 
 }  // namespace
 
-void attend(Kiosk& k, Session& s, bool touched, double now) {
+void attend(Kiosk& k, Session& s, ActiveStory& active, bool touched, double now) {
     if (touched) {
         if (k.tours) s.viewpoint.flight.reset();
         k.touched_at = now;
@@ -40,6 +40,7 @@ void attend(Kiosk& k, Session& s, bool touched, double now) {
         s.window.language = k.language;
         s.viewpoint.earlier.views.clear();
         s.window.commands.push_back(CloseMenus{});
+        active.open.reset();
         fly_home(s, now);
     }
     if (k.tour && !s.viewpoint.flight) start_tour(k, s, now);

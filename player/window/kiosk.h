@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "player/interface/state/session.h"
+#include "player/interface/tour/active_story.h"
 #include "player/tour/attract_loop.h"
 
 namespace vantage {
@@ -22,8 +23,8 @@ struct Kiosk {
 /// public.
 Kiosk make_kiosk(Session& session, std::optional<AttractLoop> tour, double home_after);
 
-/// Ends a tour on input; when idle, returns to the initial state and starts the tour.
-void attend(Kiosk& kiosk, Session& session, bool touched, double now);
+/// Ends a tour on input; when idle, returns to the initial state, closes the open note and starts the tour.
+void attend(Kiosk& kiosk, Session& session, ActiveStory& active, bool touched, double now);
 
 /// The time, in seconds, at which attend() must be called next if there is no input.
 double attends_at(const Kiosk& kiosk);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <utility>
 
@@ -57,6 +58,8 @@ ShownScene::ShownScene(const PackageReader& package, const std::vector<SceneObje
       open_dialog_(package_folder(package)),
       story_editor_(scene_.renderer.scene().has_background()) {
     if (!o.window.kiosk) return;
+    if (const std::string& trouble = scene_.active.trouble; !trouble.empty())
+        std::fprintf(stderr, "%s\n", trouble.c_str());
     const StoryAttract attract = scene_.active.story.attract.value_or(StoryAttract{});
     const double home_after = o.window.home_after > 0 ? o.window.home_after : attract.after;
     kiosk_ = make_kiosk(session, kiosk_tour(package, o.window.tour), home_after);
@@ -69,7 +72,7 @@ std::optional<AttractLoop> ShownScene::kiosk_tour(const PackageReader& package,
             return attract_loop(scene_.active.story, session_.viewpoint.home, scene_.active.axes,
                                 scene_.active.file.string());
         } catch (const Error& e) {  // the rest of the story can be shown
-            say(session_.message, failure_text(tr("The tour cannot be played."), e), 0);
+            std::fprintf(stderr, "%s\n", failure_text(tr("The tour cannot be played."), e).c_str());
             return {};
         }
     std::vector<Navigation> stops =
@@ -114,7 +117,7 @@ void ShownScene::pick(const View& view) {
 
 View ShownScene::update(int width, int height, double now) {
     Session& s = session_;
-    if (kiosk_) attend(*kiosk_, s, s.window.touched, now);
+    if (kiosk_) attend(*kiosk_, s, scene_.active, s.window.touched, now);
     undo_.attend(s, scene_.active, scene_.measure, now);
     if (scene_.attend(s)) picture_.refine_again();
     use_clipboard(s, scene_.package(), now);
@@ -273,7 +276,8 @@ void ShownScene::tell(const View& view, double now) {
     if (s.window.panels.story_editor)
         story_editor_.show(controls_, scene_.active, s, view, {hit_surface, anything}, now);
     if (!s.window.panels.story) return;
-    if (scene_.active.any() || !scene_.active.trouble.empty()) story_panel(controls_, scene_.active, s, now);
+    if (scene_.active.any() || (!scene_.active.trouble.empty() && !s.window.kiosk))
+        story_panel(controls_, scene_.active, s, now);
     if (picture_.in_parts()) return;
     const MarkerInput input =
         draw_note_markers(controls_, note_markers(scene_.active.story, scene_.active.axes, view, surface),

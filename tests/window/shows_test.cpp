@@ -70,22 +70,6 @@ TEST_F(WindowShows, TooltipsExplainWhatIsUnderThePointer) {
     EXPECT_GT(controls, 50u);
 }
 
-TEST_F(WindowShows, AStoryKeepsThatOnlyTheObjectIsShown) {
-    const auto package = copy_of(WindowScene::garden);
-    const auto shown_after = [&](const char* pressed) {
-        HeadlessWindow w(package);
-        const ShowBackground shown = w.session.settings.background;
-        w.resize(1400, 900);
-        w.press(pressed);
-        w.key(GLFW_KEY_E, control);
-        w.press("Set the opening view"), w.press("Save the story");
-        return shown;
-    };
-    EXPECT_EQ(shown_after("Bar Only the object"), ShowBackground::on);
-    EXPECT_EQ(shown_after("Bar Only the object"), ShowBackground::off);
-    EXPECT_EQ(shown_after("Bar Home"), ShowBackground::on);
-}
-
 TEST(Shortcuts, AreThoseOfTheGuide) {
     std::string rows;
     for (const Shortcut& s : shortcuts())

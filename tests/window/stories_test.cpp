@@ -217,12 +217,15 @@ TEST_F(WindowStories, AnIdleKioskShowsItsLoopAndAnInvitation) {
     w.point_at({450, 200}), w.frames(3);
     EXPECT_TRUE(w.there("Bar Home"));
     EXPECT_FALSE(w.there("Caption"));
+    w.press("Note 2"), w.wait(2);
+    EXPECT_TRUE(w.there("Next note"));
     w.wait(12);
     EXPECT_TRUE(w.there("Caption"));
     EXPECT_FALSE(w.there("Bar Home") || w.there("Note 2"));
     w.point_at({451, 200}), w.frames(3);
     EXPECT_TRUE(w.there("Bar Home"));
     EXPECT_FALSE(w.there("Caption"));
+    EXPECT_FALSE(w.there("Next note")) << "the next visitor chooses a note";
 }
 
 TEST_F(WindowStories, AKioskShowsAndDoesNotEditThem) {
@@ -236,7 +239,15 @@ TEST_F(WindowStories, AKioskShowsAndDoesNotEditThem) {
     HeadlessWindow w(package, options);
     ASSERT_TRUE(w.there("Note 2"));
     w.press("Note 2"), w.wait(2);
-    EXPECT_TRUE(w.there("Next note"));
+    ASSERT_TRUE(w.there("Next note"));
+    const Eigen::Vector2d card = w.place("Next note");
+    for (const double left : {20.0, 80.0}) {  // where the card's title has a button to collapse it; the title
+        w.point_at({left, 26}), w.frames();
+        w.click(), w.frames(3);
+        w.drag(0, 90, 120), w.frames(3);
+    }
+    ASSERT_TRUE(w.there("Next note"));
+    EXPECT_LT((w.place("Next note") - card).norm(), 0.5) << "a visitor cannot move the card away";
     EXPECT_FALSE(w.there("Language")) << "the bar has the only choice of a language";
     w.choose("Bar Language", "Italiano");
     EXPECT_NE(shown_text().find("Porta"), std::string::npos) << shown_text();
@@ -346,4 +357,20 @@ TEST_F(WindowStories, TheBarSharesTheStorysPage) {
         EXPECT_NE(shown_text().find(story.web), std::string::npos) << shown_text();
         EXPECT_NE(w.there("Copy address"), kiosk);
     }
+}
+
+TEST_F(WindowStories, OpenWithOnlyTheObjectIfSavedThatWay) {
+    const auto garden = copy_of(WindowScene::garden);
+    const auto shown_after = [&](const char* pressed) {
+        HeadlessWindow w(garden);
+        const ShowBackground shown = w.session.settings.background;
+        w.resize(1400, 900);
+        w.press(pressed);
+        w.key(GLFW_KEY_E, KeyPress::With::control);
+        w.press("Set the opening view"), w.press("Save the story");
+        return shown;
+    };
+    EXPECT_EQ(shown_after("Bar Only the object"), ShowBackground::on);
+    EXPECT_EQ(shown_after("Bar Only the object"), ShowBackground::off);
+    EXPECT_EQ(shown_after("Bar Home"), ShowBackground::on);
 }

@@ -67,10 +67,10 @@ void story_content(Controls& c, ActiveStory& active, Session& s, double now) {
         ImGui::PopID();
     }
     tour_buttons(c, active, s, now);
-    if (!active.trouble.empty()) ImGui::TextWrapped("%s", active.trouble.c_str());
+    if (!active.trouble.empty() && !s.window.kiosk) ImGui::TextWrapped("%s", active.trouble.c_str());
 }
 
-void note_content(Controls& c, ActiveStory& active, NotePicture& picture, Viewpoint& viewpoint, ImVec2 room,
+void note_content(Controls& c, ActiveStory& active, NotePicture& picture, Session& s, ImVec2 room,
                   double now) {
     const std::size_t at = *active.open, count = active.story.notes.size();
     const StoryNote& note = active.story.notes[at];
@@ -81,15 +81,15 @@ void note_content(Controls& c, ActiveStory& active, NotePicture& picture, Viewpo
         ImGui::Image(ImTextureID(std::uintptr_t(picture.texture())),
                      ImVec2(scale * float(picture.width()), scale * float(picture.height())));
         c.note("Picture of the note");
-    } else if (!picture.trouble().empty()) {
+    } else if (!picture.trouble().empty() && !s.window.kiosk) {
         ImGui::TextWrapped("%s", failure_text(tr("The picture cannot be shown."), picture.trouble()).c_str());
     }
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room.x);
     ImGui::TextUnformatted(text_in(active.story, note.text, active.language).c_str());
     ImGui::PopTextWrapPos();
-    if (count > 1 && c.button("Previous note")) open_note(active, viewpoint, (at + count - 1) % count, now);
+    if (count > 1 && c.button("Previous note")) open_note(active, s.viewpoint, (at + count - 1) % count, now);
     if (count > 1) ImGui::SameLine();
-    if (count > 1 && c.button("Next note")) open_note(active, viewpoint, (at + 1) % count, now);
+    if (count > 1 && c.button("Next note")) open_note(active, s.viewpoint, (at + 1) % count, now);
 }
 
 void story_panel(Controls& c, ActiveStory& active, Session& s, double now) {
@@ -100,11 +100,14 @@ void story_panel(Controls& c, ActiveStory& active, Session& s, double now) {
     ImGui::SetNextWindowSizeConstraints(
         ImVec2(16 * em, 4 * em), ImVec2(23 * em, std::max(8 * em, 0.6f * float(s.window.free.height))));
     const std::string& title = text_in(active.story, active.story.title, active.language);
-    if (!ImGui::Begin(((title.empty() ? tr("Story") : title) + "###story").c_str(), &s.window.panels.story,
-                      ImGuiWindowFlags_AlwaysAutoResize))
+    if (!ImGui::Begin(((title.empty() ? tr("Story") : title) + "###story").c_str(),
+                      s.window.kiosk ? nullptr : &s.window.panels.story, reading_panel(s.window)))
         return ImGui::End();
     keep_within(s.window.free);
+    const float space = s.window.kiosk ? 0.8f * em : ImGui::GetStyle().ItemSpacing.y;  // for touch
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, space));
     story_content(c, active, s, now);
+    ImGui::PopStyleVar();
     ImGui::End();
 }
 
@@ -117,9 +120,9 @@ void note_card(Controls& c, ActiveStory& active, NotePicture& picture, Session& 
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 6 * em), ImVec2(width, std::max(8 * em, 0.9f * high)));
     bool shown = true;
     if (ImGui::Begin((note_label(active, *active.open) + "###card").c_str(), &shown,
-                     ImGuiWindowFlags_AlwaysAutoResize)) {
+                     reading_panel(s.window))) {
         keep_within(s.window.free);
-        note_content(c, active, picture, s.viewpoint,
+        note_content(c, active, picture, s,
                      ImVec2(width - 2 * ImGui::GetStyle().WindowPadding.x, 0.4f * high), now);
     }
     ImGui::End();

@@ -10,7 +10,7 @@ namespace vantage {
 void story_content(Controls& controls, ActiveStory& active, Session& session, double now);
 /// The picture, the text and the buttons of the open note. `room`: maximum width of the content, and maximum
 /// height of the picture, in pixels.
-void note_content(Controls& controls, ActiveStory& active, NotePicture& picture, Viewpoint& viewpoint,
+void note_content(Controls& controls, ActiveStory& active, NotePicture& picture, Session& session,
                   ImVec2 room, double now);
 /// "2  The portal"
 std::string note_label(const ActiveStory& active, std::size_t note);
