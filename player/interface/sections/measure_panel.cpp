@@ -66,13 +66,13 @@ MeasurePanel::MeasurePanel(const PackageReader& package)
       file_(survey_file_of(package.path(), package.remote())),
       profile_(origin_) {}
 
-/// Another program may have changed the file since the mode was last active.
+/// Another program may have changed the file since the mode was last active. Unsaved measurements are kept.
 void MeasurePanel::begin(Session& s, double now) {
     active_ = true;
     ++reads_;
     survey_.up = up_of(package_->scene());
     try {
-        survey_ = file_.read(Survey{.up = survey_.up});
+        if (!file_.fails()) survey_ = file_.read(Survey{.up = survey_.up});
     } catch (const Error& e) {
         say(s.message, failure_text(tr("Measurements cannot be read."), e), now);
     }
