@@ -148,8 +148,8 @@ void story_page(Controls& c, Session& s, const MenuContent& m, double now) {
         return m.scene.active.open.reset();
     }
     ImGui::TextUnformatted(note_label(m.scene.active, *m.scene.active.open).c_str());
-    note_content(c, m.scene.active, m.scene.note_picture, s,
-                 ImVec2(ImGui::GetContentRegionAvail().x, 260), now);
+    note_content(c, m.scene.active, m.scene.note_picture, s, ImVec2(ImGui::GetContentRegionAvail().x, 260),
+                 now);
 }
 
 void page_content(Controls& c, Session& s, const MenuContent& m, double now) {

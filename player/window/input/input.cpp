@@ -188,8 +188,8 @@ void fly_on(Session& s, const PlanScene& scene, int by, double now) {
     }
 }
 
-/// Cancels the current mode (help, placing a note, hiding pieces, a flight, a comparison), or closes the message about a
-/// file. Never closes the window.
+/// Cancels the current mode (help, placing a note, hiding pieces, a flight, a comparison), or closes the
+/// message about a file. Never closes the window.
 void leave(Session& s, double now) {
     if (s.window.panels.help)
         s.window.panels.help = false;
