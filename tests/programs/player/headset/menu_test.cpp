@@ -235,7 +235,7 @@ TEST_F(HeadsetProgram, TheMenuDoesWhatItSays) {
             changed += !(before == menu.session.settings && photos == menu.session.photos);
         }
     }
-    EXPECT_GT(pressed, 60u);
+    EXPECT_GT(pressed, 55u);
     EXPECT_GT(changed, 20u);
     menu.press("Page Move");
     menu.press("90");
