@@ -103,18 +103,22 @@ Facing facing_at(std::span<const PlacedMesh> meshes, const Vector3d& p, double r
 
 /// The mean normal of the surface along the line, toward the outside; zero if the surface has none. Parts far
 /// from the line and those that face the other side at the ends, such as the back of a wall, are left out.
-Vector3d outward_normal(std::span<const PlacedMesh> meshes, const Ends& line) {
+struct Outward {
+    Vector3d normal;
+    double winding;  ///< 1, or -1 if the mesh's triangles are clockwise as seen from outside
+};
+Outward outward_normal(std::span<const PlacedMesh> meshes, const Ends& line) {
     const double radius = near_line * (line[1] - line[0]).norm();
     const Facing a = facing_at(meshes, line[0], radius), b = facing_at(meshes, line[1], radius);
     const Vector3d at_ends = a.outward.stableNormalized() + b.outward.stableNormalized();
-    if (!(at_ends.norm() > sine_5)) return Vector3d::Zero();
+    if (!(at_ends.norm() > sine_5)) return {Vector3d::Zero(), 1};
     const double side = at_ends.dot(a.wound + b.wound) < 0 ? -1 : 1;
     Vector3d sum = Vector3d::Zero();
     visit_near(meshes, line, radius, [&](const NearTriangle& t) {
         const double weight = std::min(t.area.norm(), radius * radius) * (1 - t.distance / radius);
         if (side * t.area.dot(at_ends) > 0) sum += side * weight * t.area.normalized();
     });
-    return (sum.squaredNorm() > 0 ? sum : at_ends).stableNormalized();
+    return {(sum.squaredNorm() > 0 ? sum : at_ends).stableNormalized(), side};
 }
 
 /// The normal, made vertical or horizontal if it nearly is.
@@ -125,8 +129,10 @@ Vector3d upright(const Vector3d& normal, const Vector3d& up) {
     return std::abs(rise) < sine_20 ? Vector3d(level.normalized()) : normal;
 }
 
-/// Sets the outermost offsets on a line of the section; `outward`: 1, or -1 if the outside is below.
-void add_line(SurfaceProfile& p, const SectionLine& line, double outward, double farthest) {
+/// Sets the outermost offsets on a line of the section, which replace only those in `may_replace`. `outward`:
+/// 1, or -1 if the outside is below.
+void add_line(SurfaceProfile& p, const SectionLine& line, double outward, double farthest,
+              const std::vector<bool>& may_replace) {
     std::array<Eigen::Vector2d, 2> end;
     for (std::size_t i = 0; i < 2; ++i)
         end[i] = {p.along.dot(line[i] - p.from), p.across.dot(line[i] - p.from)};
@@ -140,6 +146,7 @@ void add_line(SurfaceProfile& p, const SectionLine& line, double outward, double
                      offset = end[0].y() + share * (end[1].y() - end[0].y());
         if (!(std::abs(offset - p.rise * s / p.length) <= farthest)) continue;
         auto& known = p.offsets[i];
+        if (!may_replace[i]) continue;
         if (!known || outward * (offset - *known) > 0) known = offset;
     }
 }
@@ -161,7 +168,8 @@ SurfaceProfile profile_between(std::span<const PlacedMesh> meshes, std::span<con
     constexpr const char* no_surface = marked("no profile: there is no surface along the line");
     if (std::ranges::all_of(meshes, [](const PlacedMesh& m) { return m.scene->clusters_of_mesh().empty(); }))
         return without(no_surface);
-    const Vector3d normal = upright(outward_normal(meshes, points), up);
+    const Outward surface = outward_normal(meshes, points);
+    const Vector3d normal = upright(surface.normal, up);
     SurfaceProfile out{.from = points[0]};
     out.heights = std::abs(normal.dot(up)) > 1 - 1e-12;
     out.across = out.heights ? up : Vector3d(normal - step * (step.dot(normal) / (length * length)));
@@ -174,8 +182,17 @@ SurfaceProfile profile_between(std::span<const PlacedMesh> meshes, std::span<con
     out.rise = out.heights ? out.across.dot(step) : 0;
     out.offsets.resize(profile_steps + 1);
     const Vector3d plane = out.along.cross(out.across);
-    for (const SectionLine& line : lines_in(meshes, {plane, plane.dot(points[0])}, sections))
-        add_line(out, line, out.across.dot(normal) < 0 ? -1 : 1, length / 2);
+    const double outward = out.across.dot(normal) < 0 ? -1 : 1;
+    const std::vector<SectionLine> lines = lines_in(meshes, {plane, plane.dot(points[0])}, sections);
+    // Surface that faces inward, such as the back of an object in front of a wall, fills only gaps.
+    for (const bool inward : {false, true}) {
+        std::vector<bool> gaps;
+        for (const auto& offset : out.offsets) gaps.push_back(!offset);
+        for (const SectionLine& line : lines) {
+            const double faces = surface.winding * outward * (line[1] - line[0]).cross(plane).dot(out.across);
+            if ((faces < 0) == inward) add_line(out, line, outward, length / 2, gaps);
+        }
+    }
     const bool found = std::ranges::any_of(out.offsets, [](const auto& o) { return o.has_value(); });
     return found ? out : without(no_surface);
 }

@@ -7,7 +7,7 @@
 namespace vantage {
 namespace {
 
-/// Adds the intersection of the plane with a triangle, if any.
+/// Adds the intersection of the plane with a triangle, if any, see SectionLine.
 void cut(const std::array<Eigen::Vector3d, 3>& corner, const SectionPlane& plane, const PlacedMesh& m,
          std::vector<SectionLine>& out) {
     std::array<double, 3> before;
@@ -16,10 +16,11 @@ void cut(const std::array<Eigen::Vector3d, 3>& corner, const SectionPlane& plane
     std::size_t ends = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = (i + 1) % 3;
-        if ((before[i] > 0) == (before[j] > 0) || ends == 2) continue;
+        if ((before[i] > 0) == (before[j] > 0)) continue;
         const double share = before[i] / (before[i] - before[j]);
         const Eigen::Vector3d at = corner[i] + share * (corner[j] - corner[i]);
-        line[ends++] = m.in_scene(at);
+        ++ends;
+        line[before[i] > 0 ? 0 : 1] = m.in_scene(at);
     }
     if (ends == 2 && line[0].allFinite() && line[1].allFinite()) out.push_back(line);
 }

@@ -14,7 +14,8 @@ namespace vantage {
 
 /// The lines along which planes cut the surface, limited to the part that remains after the other planes'
 /// cuts: one line per intersected triangle, relative to the scene's origin. A vertex on a plane counts as
-/// behind the plane, so that a line through a vertex has no gap. The background is not cut.
+/// behind the plane, so that a line through a vertex has no gap. The background is not cut. If triangles are
+/// counterclockwise as seen from outside, (line[1] - line[0]) x the plane's normal points outward.
 using SectionLine = std::array<Eigen::Vector3d, 2>;
 std::vector<SectionLine> section_lines(std::span<const PlacedMesh> meshes,
                                        std::span<const SectionPlane> planes);

@@ -180,8 +180,8 @@ void ProfileChart::caption(Controls& c, const Measurement& m, const Survey& surv
     const auto [low, high] = range_of(profile_);
     const std::string from = number(low), to = with_unit(high),
                       times = localized_numbers(number_text(exaggeration_)),
-                      text = formatted(profile_.heights ? tr("heights from %s to %s, exaggerated × %s")
-                                                        : tr("offsets from %s to %s, exaggerated × %s"),
+                      text = formatted(profile_.heights ? tr("heights from %s to %s, vertical scale × %s")
+                                                        : tr("offsets from %s to %s, vertical scale × %s"),
                                        from.c_str(), to.c_str(), times.c_str());
     ImGui::TextUnformatted(text.c_str());
     c.explain(profile_.heights ? marked("Heights above the first point, and the factor by which the chart "

@@ -35,7 +35,8 @@ MeshScene relief(const Eigen::Matrix3d& R, int size, double cell,
 }
 
 /// A wall in the plane z = 0 with a pillar that projects by 0.25 from x = 1 to 2, a back that is not
-/// parallel, and something 2.5 in front of it; all before it is turned by R.
+/// parallel, something 2.5 in front of it, and nearer, the back of an object whose front is there; all before
+/// it is turned by R.
 MeshScene facade(const Eigen::Matrix3d& R) {
     MeshScene m;
     const auto part = [&](const Vector3d& corner, const Vector3d& u) {
@@ -43,6 +44,7 @@ MeshScene facade(const Eigen::Matrix3d& R) {
     };
     part({0, 0, 0}, {1, 0, 0}), part({1, 0, 0}, {0, 0, 0.25}), part({1, 0, 0.25}, {1, 0, 0});
     part({2, 0, 0.25}, {0, 0, -0.25}), part({2, 0, 0}, {1, 0, 0}), part({0, 0, 2.5}, {3, 0, 0});
+    m.add_quad(R * Vector3d(0.4, 0, 1), R * Vector3d(0, 1, 0), R * Vector3d(0.3, 0, 0));
     m.add_quad(R * Vector3d(0, 0, -0.05), R * Vector3d(0, 1, -0.3), R * Vector3d(3, 0, 0));
     m.finish();
     return m;
