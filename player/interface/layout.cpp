@@ -36,16 +36,20 @@ Layout layout_of(const Panels& panels, int width, int height, double em, bool ph
 Area PictureArea::update(const Layout& layout, Compare compare, FrameSize size,
                          std::optional<double> flight_end, double now) {
     constexpr double longest = 0.7, step = 0.1;  // seconds: tours fly for minutes, and idle windows rest
+    double since = now - std::exchange(updated_, now);
     Area free = layout.free;
     const bool side_by_side = compare == Compare::side_by_side;
     if (side_by_side) free.left = size.width / 4.0, free.width = size.width / 2.0;
     const bool new_frame = size != std::exchange(size_, size),
                new_halves = side_by_side != std::exchange(side_by_side_, side_by_side);
-    const double since = std::min(now - std::exchange(updated_, now), step);
-    if (new_frame || new_halves) return area_ = free;
+    const bool flew = std::exchange(flies_, flight_end.has_value());
+    if (new_frame || new_halves) return area_ = aim_ = free;
     if (!flight_end) return area_;
-    const double left = std::min(*flight_end - now, longest),
-                 share = left > 0 ? std::clamp(since / (left + since), 0.0, 1.0) : 1;
+    if (free != std::exchange(aim_, free) || !flew) {
+        since = std::min(since, step);
+        arrives_ = std::min(*flight_end, now - since + longest);
+    }
+    const double left = arrives_ - now, share = left > 0 ? std::clamp(since / (left + since), 0.0, 1.0) : 1;
     const auto approach = [&](double& value, double aim) { value = std::lerp(value, aim, share); };
     approach(area_.left, free.left), approach(area_.width, free.width);
     approach(area_.top, free.top), approach(area_.height, free.height);

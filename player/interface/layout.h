@@ -26,10 +26,10 @@ class PictureArea {
                 double now);
 
   private:
-    Area area_;
+    Area area_, aim_;
     FrameSize size_{};
-    bool side_by_side_ = false;
-    double updated_ = 0;  ///< seconds
+    bool side_by_side_ = false, flies_ = false;
+    double updated_ = 0, arrives_ = 0;  ///< seconds
 };
 
 }  // namespace vantage

@@ -22,6 +22,7 @@ Exposure exposure_of(const package::PhotoRecord& photo);
 /// A rectangle of a frame: its upper left corner and its size, in pixels.
 struct Area {
     double left = 0, top = 0, width = 0, height = 0;
+    bool operator==(const Area&) const = default;
 };
 
 /// A camera from which to render. Positions are relative to the package's origin.

@@ -41,3 +41,17 @@ TEST(Layout, NothingCoversThePictureAndNothingIsOutsideTheWindow) {
                 EXPECT_EQ(l.strip.height > 0, photos && height > 24 * em);
             }
 }
+
+TEST(PictureArea, IsAtItsAimLongBeforeTheEndOfATour) {
+    const Layout panels{.free = {0, 0, 1280, 600}}, none{.free = {0, 0, 1280, 800}};
+    PictureArea area;
+    area.update(panels, Compare::nothing, {1280, 800}, {}, 0);
+    double last = 600, now = 100;
+    for (int frame = 0; frame < 10; ++frame, now += 0.2) {  // a slow computer
+        const double high = area.update(none, Compare::nothing, {1280, 800}, 160, now).height;
+        EXPECT_GE(high, last);
+        EXPECT_TRUE(frame > 0 || high < 700) << "no jump";
+        last = high;
+    }
+    EXPECT_EQ(last, 800) << "otherwise the view would move on, and its picture would remain coarse";
+}
