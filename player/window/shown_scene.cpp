@@ -142,6 +142,9 @@ View ShownScene::update(int width, int height, double now) {
     scene_.asked_files.attend(s, scene_.package(), scene_.objects, now);
     orthophotos_.attend(s, scene_.package(), now);
     ImGui::Render();
+    choose_projection(now);
+    if (s.viewpoint.orthographic != (view.orthographic_depth > 0))  // changed by the interface
+        return shown_view(s.viewpoint.camera, s, scene_.plan(), width, height);
     return view;
 }
 

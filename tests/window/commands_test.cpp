@@ -179,3 +179,22 @@ TEST_F(WindowCommands, AskAboutEachPackageThatIsDroppedAtOnce) {
     EXPECT_FALSE(w.there("Cancel"));
     EXPECT_TRUE(w.session.window.commands.empty());
 }
+
+TEST_F(WindowCommands, TheProjectionChangesBetweenPictures) {
+    HeadlessWindow w(package_of(WindowScene::garden));
+    w.session.settings.points.show = false;  // they are in perspective
+    w.key(GLFW_KEY_TAB);
+    for (const bool orthographic : {true, false}) {
+        w.press("View");
+        w.point_at(w.place("Orthographic")), w.frames();
+        for (const bool down : {true, false}) {
+            w.button(0, down);
+            for (int frame = 0; frame < 3; ++frame) {
+                w.frames();
+                ASSERT_NO_THROW(w.draw()) << "a view with the other projection's background";
+            }
+        }
+        EXPECT_EQ(w.session.viewpoint.orthographic, orthographic);
+        w.frames(3);
+    }
+}
