@@ -20,6 +20,8 @@ class PhotoStrip {
               double now);
     /// Shows a photo's name and thumbnail next to the pointer.
     void tooltip(Renderer& renderer, std::uint32_t photo);
+    /// Sorts the photos again, and scrolls to the first one.
+    void start_over() { sorted_by_.clear(); }
     /// Time at which the photos' agreement with the view is due to be found again, in seconds.
     double ranks_at() const { return outdated_ ? ranked_at_ + ranking_seconds : HUGE_VAL; }
     /// Whether a visible thumbnail is still missing.

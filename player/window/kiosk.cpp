@@ -26,15 +26,15 @@ void start_tour(Kiosk& k, Session& s, double now) {
 
 }  // namespace
 
-void attend(Kiosk& k, Session& s, ActiveStory& active, bool touched, double now) {
+bool attend(Kiosk& k, Session& s, ActiveStory& active, bool touched, double now) {
     if (touched) {
         if (k.tours) s.viewpoint.flight.reset();
-        k.touched_at = now;
         k.idle = k.tours = false;
-        return;
     }
-    if (now - k.touched_at < k.home_after) return;
-    if (!std::exchange(k.idle, true)) {
+    if (touched || active.playing) k.touched_at = now;
+    if (now - k.touched_at < k.home_after) return false;
+    const bool restores = !std::exchange(k.idle, true);
+    if (restores) {
         s.settings = k.settings;
         s.window.panels = k.panels;
         s.window.language = k.language;
@@ -44,6 +44,7 @@ void attend(Kiosk& k, Session& s, ActiveStory& active, bool touched, double now)
         fly_home(s, now);
     }
     if (k.tour && !s.viewpoint.flight) start_tour(k, s, now);
+    return restores;
 }
 
 double attends_at(const Kiosk& k) { return k.idle && !k.tour ? HUGE_VAL : k.touched_at + k.home_after; }

@@ -24,7 +24,8 @@ struct Kiosk {
 Kiosk make_kiosk(Session& session, std::optional<AttractLoop> tour, double home_after);
 
 /// Ends a tour on input; when idle, returns to the initial state, closes the open note and starts the tour.
-void attend(Kiosk& kiosk, Session& session, ActiveStory& active, bool touched, double now);
+/// A tour that a visitor plays is not idle. Returns whether the initial state has just been restored.
+bool attend(Kiosk& kiosk, Session& session, ActiveStory& active, bool touched, double now);
 
 /// The time, in seconds, at which attend() must be called next if there is no input.
 double attends_at(const Kiosk& kiosk);

@@ -117,7 +117,7 @@ void ShownScene::pick(const View& view) {
 
 View ShownScene::update(int width, int height, double now) {
     Session& s = session_;
-    if (kiosk_) attend(*kiosk_, s, scene_.active, s.window.touched, now);
+    if (kiosk_ && attend(*kiosk_, s, scene_.active, s.window.touched, now)) strip_.start_over();
     undo_.attend(s, scene_.active, scene_.measure, now);
     if (scene_.attend(s)) picture_.refine_again();
     use_clipboard(s, scene_.package(), now);
@@ -218,7 +218,7 @@ void ShownScene::dialogs(double now) {
     open_dialog_.show(controls_, s.window);
     drop_dialog(controls_, s.window.commands, dropped_);
     unsaved_changes_.ask(controls_, s, scene_.active, scene_.measure, now);
-    message_line(controls_, s.message, s.window, now);
+    if (!s.window.tour) message_line(controls_, s.message, s.window, now);
     file_manager_.attend(s.window.commands, s.message, now);
     s.window.menu_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     note_navigation(s.window);

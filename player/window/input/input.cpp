@@ -250,6 +250,7 @@ void run_command(WindowState& window, const KeyPress& press) {
         if (const char* text = key == GLFW_KEY_V ? ImGui::GetClipboardText() : nullptr)
             window.commands.push_back(PasteView{text});
     }
+    if (window.kiosk) return;
     if (key == GLFW_KEY_EQUAL || key == GLFW_KEY_KP_ADD) change_text(window, text_step);
     if (key == GLFW_KEY_MINUS || key == GLFW_KEY_KP_SUBTRACT) change_text(window, 1 / text_step);
 }
