@@ -139,5 +139,5 @@ TEST(Survey, BecomesATable) {
     EXPECT_NE(table.find("name,measure,value,uncertainty,unit,note,points\n"), std::string::npos);
     EXPECT_NE(table.find("\"Door \"\"west\"\", \u00e9tage 1\",distance,108.333333333,"), std::string::npos)
         << table;
-    EXPECT_EQ(std::ranges::count(table, '\n'), 3);
+    EXPECT_EQ(std::ranges::count(table, '\n'), 4);
 }
