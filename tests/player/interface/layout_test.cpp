@@ -43,7 +43,8 @@ TEST(Layout, NothingCoversThePictureAndNothingIsOutsideTheWindow) {
 }
 
 TEST(PictureArea, IsAtItsAimLongBeforeTheEndOfATour) {
-    const Layout panels{.free = {0, 0, 1280, 600}}, none{.free = {0, 0, 1280, 800}};
+    Layout panels, none;
+    panels.free = {0, 0, 1280, 600}, none.free = {0, 0, 1280, 800};
     PictureArea area;
     area.update(panels, Compare::nothing, {1280, 800}, {}, 0);
     double last = 600, now = 100;
