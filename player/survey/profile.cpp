@@ -129,10 +129,8 @@ Vector3d upright(const Vector3d& normal, const Vector3d& up) {
     return std::abs(rise) < sine_20 ? Vector3d(level.normalized()) : normal;
 }
 
-/// Sets the outermost offsets on a line of the section, which replace only those in `may_replace`. `outward`:
-/// 1, or -1 if the outside is below.
-void add_line(SurfaceProfile& p, const SectionLine& line, double outward, double farthest,
-              const std::vector<bool>& may_replace) {
+/// Sets the outermost offsets on a line of the section; `outward`: 1, or -1 if the outside is below.
+void add_line(SurfaceProfile& p, const SectionLine& line, double outward, double farthest) {
     std::array<Eigen::Vector2d, 2> end;
     for (std::size_t i = 0; i < 2; ++i)
         end[i] = {p.along.dot(line[i] - p.from), p.across.dot(line[i] - p.from)};
@@ -146,7 +144,6 @@ void add_line(SurfaceProfile& p, const SectionLine& line, double outward, double
                      offset = end[0].y() + share * (end[1].y() - end[0].y());
         if (!(std::abs(offset - p.rise * s / p.length) <= farthest)) continue;
         auto& known = p.offsets[i];
-        if (!may_replace[i]) continue;
         if (!known || outward * (offset - *known) > 0) known = offset;
     }
 }
@@ -165,7 +162,7 @@ SurfaceProfile profile_between(std::span<const PlacedMesh> meshes, std::span<con
     const Vector3d step = points[1] - points[0];
     const double length = step.stableNorm();
     if (!(length > 0)) return without(marked("no profile: the points are equal"));
-    constexpr const char* no_surface = marked("no profile: there is no surface along the line");
+    constexpr const char* no_surface = marked("no profile: no surface along the line");
     if (std::ranges::all_of(meshes, [](const PlacedMesh& m) { return m.scene->clusters_of_mesh().empty(); }))
         return without(no_surface);
     const Outward surface = outward_normal(meshes, points);
@@ -183,16 +180,13 @@ SurfaceProfile profile_between(std::span<const PlacedMesh> meshes, std::span<con
     out.offsets.resize(profile_steps + 1);
     const Vector3d plane = out.along.cross(out.across);
     const double outward = out.across.dot(normal) < 0 ? -1 : 1;
-    const std::vector<SectionLine> lines = lines_in(meshes, {plane, plane.dot(points[0])}, sections);
-    // Surface that faces inward, such as the back of an object in front of a wall, fills only gaps.
-    for (const bool inward : {false, true}) {
-        std::vector<bool> gaps;
-        for (const auto& offset : out.offsets) gaps.push_back(!offset);
-        for (const SectionLine& line : lines) {
-            const double faces = surface.winding * outward * (line[1] - line[0]).cross(plane).dot(out.across);
-            if ((faces < 0) == inward) add_line(out, line, outward, length / 2, gaps);
-        }
+    SurfaceProfile inward = out;  // of surface that faces inward, such as the back of an object before a wall
+    for (const SectionLine& line : lines_in(meshes, {plane, plane.dot(points[0])}, sections)) {
+        const double faces = surface.winding * outward * (line[1] - line[0]).cross(plane).dot(out.across);
+        add_line(faces < 0 ? inward : out, line, outward, length / 2);
     }
+    for (std::size_t i = 0; i < out.offsets.size(); ++i)
+        if (!out.offsets[i]) out.offsets[i] = inward.offsets[i];
     const bool found = std::ranges::any_of(out.offsets, [](const auto& o) { return o.has_value(); });
     return found ? out : without(no_surface);
 }

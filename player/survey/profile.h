@@ -16,17 +16,17 @@ namespace vantage {
 /// horizontal, its heights. The surface point with the offset o at the distance s is at from + s * along + o
 /// * across. Units are those of the scene; positions are relative to its origin.
 struct SurfaceProfile {
-    const char* reason = nullptr;  ///< why there is no profile, see marked(); otherwise null
+    const char* reason = nullptr;  ///< the reason for an empty profile, see marked(); otherwise null
     Eigen::Vector3d from = Eigen::Vector3d::Zero(), along = Eigen::Vector3d::UnitX(),
                     across = Eigen::Vector3d::UnitZ();  ///< the first point, and perpendicular unit vectors
     double length = 0, rise = 0;                        ///< distance and offset of the second point
     bool heights = false;  ///< `across` is up and distances are horizontal; otherwise `rise` is 0
-    /// Offsets at equal distances from 0 to `length`; nullopt where there is no surface. Empty if there is a
-    /// reason.
+    /// Offsets at equal distances from 0 to `length`; nullopt in gaps of the surface. Empty if
+    /// `reason` is set.
     std::vector<std::optional<double>> offsets{};
 
     double distance(std::size_t i) const { return length * double(i) / double(offsets.size() - 1); }
-    /// The surface point of offsets[i], if there is one.
+    /// The surface point of offsets[i]; nullopt in gaps.
     std::optional<Eigen::Vector3d> point(std::size_t i) const;
 };
 

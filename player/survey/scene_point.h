@@ -33,7 +33,7 @@ struct Snapping {
 
 /// The nearest point on the meshes at `pixel` in the view's picture, in coordinates of the scene's first
 /// input, whose origin is `origin`. Its uncertainty comes from the photos that see it and, unless it is a
-/// vertex, from pointing to within half a pixel of the view. Returns nullopt if there is no surface.
+/// vertex, from pointing to within half a pixel of the view. Returns nullopt beside the surface.
 std::optional<SurveyPoint> scene_point(std::span<const PlacedMesh> meshes, const Eigen::Vector3d& origin,
                                        const View& view, const Eigen::Vector2d& pixel,
                                        Snapping snapping = {});

@@ -133,8 +133,8 @@ void ProfileChart::chart(Controls& c, const Scale& scale) {
     const double range = std::max(high - low, least_range * profile_.length) * unit,
                  middle = (low + high) / 2 * unit, per_pixel = x.high / double(x.to - x.from);
     Axis y{0, 0, corner.y + size.y - 1.6f * em, corner.y + 0.7f * em};
-    exaggeration_ = round_below(per_pixel * double(y.from - y.to) / range);
-    const double half = per_pixel * double(y.from - y.to) / exaggeration_ / 2;
+    vertical_scale_ = round_below(per_pixel * double(y.from - y.to) / range);
+    const double half = per_pixel * double(y.from - y.to) / vertical_scale_ / 2;
     y.low = middle - half, y.high = middle + half;
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -179,7 +179,7 @@ void ProfileChart::caption(Controls& c, const Measurement& m, const Survey& surv
     }
     const auto [low, high] = range_of(profile_);
     const std::string from = number(low), to = with_unit(high),
-                      times = localized_numbers(number_text(exaggeration_)),
+                      times = localized_numbers(number_text(vertical_scale_)),
                       text = formatted(profile_.heights ? tr("heights from %s to %s, vertical scale × %s")
                                                         : tr("offsets from %s to %s, vertical scale × %s"),
                                        from.c_str(), to.c_str(), times.c_str());

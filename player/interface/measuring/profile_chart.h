@@ -37,7 +37,7 @@ class ProfileChart {
     std::vector<SectionPlane> sections_;
     std::vector<PlacedMesh> meshes_;
     std::optional<std::size_t> hovered_;  ///< index of the offset under the pointer
-    double exaggeration_ = 1;             ///< of offsets in the chart
+    double vertical_scale_ = 1;           ///< of offsets in the chart
 };
 
 }  // namespace vantage

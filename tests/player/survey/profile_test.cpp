@@ -184,7 +184,7 @@ TEST(Profile, GivesReasonsInsteadOfWrongValues) {
     EXPECT_NE(reason(a, Vector3d::Constant(std::numeric_limits<double>::infinity())), "none");
     EXPECT_NE(reason(a, Vector3d::Constant(1e300)), "none");
     const SurfaceProfile nothing = profile_between({}, {}, {a, b}, up);
-    EXPECT_STREQ(nothing.reason, "no profile: there is no surface along the line");
+    EXPECT_STREQ(nothing.reason, "no profile: no surface along the line");
     const PlanScene empty;
     const PlacedMesh mesh{&empty};
     EXPECT_STREQ(profile_between({&mesh, 1}, {}, {a, b}, up).reason, nothing.reason);

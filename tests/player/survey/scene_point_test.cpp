@@ -38,7 +38,7 @@ TEST(ScenePoint, IsInTheCoordinatesOfTheFirstInput) {
         EXPECT_LT((point->position - origin - p).norm(), 1e-8);
         ASSERT_EQ(point->uncertainty.has_value(), p.z() == 5) << "the first mesh has no photos";
         EXPECT_NEAR(point->uncertainty.value_or(0.03), 3 * 0.01, 1e-9);
-        const double pixel = (20 + p.z()) / view.intrinsics.fx;  // the view looks slightly askew
+        const double pixel = (20 + p.z()) / view.intrinsics.fx;  // the view is slightly oblique
         EXPECT_NEAR(point->pointing, pixel / 2, 0.02 * pixel);
     }
     const View away = view_towards({0, 0, -20}, {0, 0, -30}, {0, 1, 0}, 45, 800, 600);
