@@ -22,14 +22,16 @@ std::vector<Ball> hidden_balls(const Story& story, const InputAxes& axes) {
     return out;
 }
 
-Eigen::Vector3d rounded_place(const Eigen::Vector3d& place, double distance) {
+double rounded_length(double length, double distance) {
     // Uses either the power of ten or its inverse, whichever is an integer and therefore exact. This yields
     // short decimals.
     const double exponent = std::floor(std::log10(std::max(distance, 1e-9) * 1e-6));
     const double whole = std::pow(10, std::abs(exponent));
-    return place.unaryExpr([&](double x) {
-        return exponent < 0 ? std::round(x * whole) / whole : std::round(x / whole) * whole;
-    });
+    return exponent < 0 ? std::round(length * whole) / whole : std::round(length / whole) * whole;
+}
+
+Eigen::Vector3d rounded_place(const Eigen::Vector3d& place, double distance) {
+    return place.unaryExpr([&](double x) { return rounded_length(x, distance); });
 }
 
 StoryView story_view(const Navigation& camera, const InputAxes& axes) {

@@ -22,7 +22,9 @@ Navigation camera_at(const StoryView& view, const InputAxes& axes);
 /// The balls that a story hides.
 std::vector<Ball> hidden_balls(const Story& story, const InputAxes& axes);
 
-/// A position rounded to a multiple of a power of ten that is at most a millionth of `distance`.
+/// A number, or a position, rounded to a multiple of a power of ten that is at most a millionth of
+/// `distance`.
+double rounded_length(double length, double distance);
 Eigen::Vector3d rounded_place(const Eigen::Vector3d& place, double distance);
 
 /// The story view that corresponds to a camera. Positions are rounded according to the distance to the

@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <vector>
@@ -47,6 +48,9 @@ struct UserInput {
     std::optional<Pinch> pinch;           ///< set while two fingers touch the screen
     bool pinch_begins = false;
 };
+
+/// The pixel of the first click in the picture; nullopt if the pointer is over a panel.
+std::optional<Eigen::Vector2d> clicked_pixel(const UserInput& input);
 
 /// Whether a key was pressed or repeated without modifiers since the last frame. Removes the press from the
 /// input.

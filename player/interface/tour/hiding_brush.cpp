@@ -21,15 +21,15 @@ void draw_circle(float radius) {
 
 void HidingBrush::take_click(ActiveStory& active, Session& s, const View& view, const SurfaceAt& surface,
                              double now) const {
-    if (ImGui::GetIO().WantCaptureMouse || s.window.input.clicks.empty()) return;
-    const Eigen::Vector2d pixel(s.window.input.clicks.front().x, s.window.input.clicks.front().y);
-    const auto at = surface ? surface(pixel) : std::nullopt;
+    const auto pixel = clicked_pixel(s.window.input);
+    if (!pixel) return;
+    const auto at = surface ? surface(*pixel) : std::nullopt;
     if (!at) return say(s.message, tr("There is nothing to hide here"), now);
     const double depth =
         view.orthographic_depth > 0 ? view.orthographic_depth : std::max(depth_in(view, *at), 1e-9);
     const double radius = diameter_ / 2 * depth / view.intrinsics.fx;
-    active.story.hidden.push_back({rounded_place(*at + active.axes.origin, depth),
-                                   rounded_place(Eigen::Vector3d(radius, 0, 0), radius).x()});
+    active.story.hidden.push_back(
+        {rounded_place(*at + active.axes.origin, depth), rounded_length(radius, radius)});
     active.changed = true;
 }
 

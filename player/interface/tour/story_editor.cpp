@@ -80,13 +80,13 @@ void StoryEditor::add(ActiveStory& active, const Session& s, const SurfaceAt& su
 }
 
 void StoryEditor::take_click(ActiveStory& active, Session& s, const SurfaceAt& surface, double now) {
-    if (!s.window.places_note || ImGui::GetIO().WantCaptureMouse || s.window.input.clicks.empty()) return;
-    const Eigen::Vector2d pixel(s.window.input.clicks.front().x, s.window.input.clicks.front().y);
-    if (!surface || !surface(pixel)) return say(s.message, tr("Only the model can be clicked"), now);
+    const auto pixel = clicked_pixel(s.window.input);
+    if (!s.window.places_note || !pixel) return;
+    if (!surface || !surface(*pixel)) return say(s.message, tr("Only the model can be clicked"), now);
     if (moves_ && active.open)
-        place_note(active, *active.open, s, surface, pixel);
+        place_note(active, *active.open, s, surface, *pixel);
     else
-        add(active, s, surface, pixel);
+        add(active, s, surface, *pixel);
     s.window.places_note = false;
 }
 
@@ -229,7 +229,6 @@ void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View&
     c.explain("The story opens with this view, and without the background if it is hidden now.");
     if (s.window.places_note) ImGui::TextDisabled("%s", tr("Click on the model; Esc cancels."));
     brush_.show(c, active, s, view, surfaces.anything, now);
-    take(active);
     if (edited_) {
         fields(c, active);
         buttons(c, active, s);
