@@ -132,7 +132,6 @@ View ShownScene::update(int width, int height, double now) {
     s.window.free = layout_.free;
     s.window.picture = picture_area_.update(layout_, s.settings.compare, {width, height}, flight_end, now);
     s.settings.capacity = {width, height};
-    choose_projection(now);
     View view = shown_view(s.viewpoint.camera, s, scene_.plan(), width, height);
     shown_at_ = now;
     if (take_all<CloseMenus>(s.window.commands)) controls_.close_menus();
@@ -148,7 +147,8 @@ View ShownScene::update(int width, int height, double now) {
     return view;
 }
 
-/// Switches from orthographic to perspective projection if the content requires that.
+/// Switches from orthographic to perspective projection if the content requires that, which the interface may
+/// just have changed.
 void ShownScene::choose_projection(double now) {
     Session& s = session_;
     const bool points = scene_.renderer.resources().points && s.settings.points.show;
