@@ -2,8 +2,8 @@
 #include <optional>
 #include <string>
 
+#include "player/render/field_values.h"
 #include "player/render/passes/cluster_draws.h"
-#include "player/render/passes/field_values.h"
 #include "player/render/passes/frame_targets.h"
 #include "player/render/passes/hole_filling.h"
 #include "player/render/passes/photo_passes.h"

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/gl/program.h"
+#include "player/render/field_values.h"
 #include "player/render/passes/cluster_draws.h"
 #include "player/render/passes/drawn_view.h"
-#include "player/render/passes/field_values.h"
 #include "player/render/passes/frame_targets.h"
 
 namespace vantage {

@@ -1,4 +1,4 @@
-#include "player/render/passes/field_values.h"
+#include "player/render/field_values.h"
 
 #include <cmath>
 #include <tuple>
