@@ -73,6 +73,8 @@ TEST_F(WindowStories, ACuratorWritesOrdersAndDeletesNotes) {
     for (const char* title : {"Door", "Roof", "Gate", "Stairs"}) add_note(w, title);
     w.press("Make a tour of all notes");
     w.fill_in("Flight", "1.5"), w.fill_in("Stay", "9999");
+    w.fill_in("Title of the tour all", "Round"), w.fill_in("Title of the tour all", "Square");
+    w.key(GLFW_KEY_Z, KeyPress::With::control);
     w.press("Make a tour of all notes");
     w.press("Save the story");
     Story story = saved();
@@ -87,6 +89,7 @@ TEST_F(WindowStories, ACuratorWritesOrdersAndDeletesNotes) {
     ASSERT_EQ(story.tours.size(), 1u);
     ASSERT_EQ(story.tours[0].stops.size(), 5u);
     for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(story.tours[0].stops[i].note, story.notes[i].id);
+    EXPECT_EQ(story.tours[0].title.plain, "Round") << "undone";
     EXPECT_EQ(story.tours[0].stops[4].fly, 1.5) << "kept when the tour is made again";
     EXPECT_EQ(story.tours[0].stops[4].stay, 3600) << "the longest";
     w.press("Move up");

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <utility>
 
@@ -14,16 +15,39 @@
 namespace vantage {
 namespace {
 
+constexpr float field_width = 21.5f;  ///< of text fields, in multiples of the text height
+
 /// The displayed language if the story has it, otherwise the story's default language.
 std::string edited_language(const ActiveStory& active) {
     const std::vector<std::string> languages = languages_of(active.story);
     return std::ranges::count(languages, active.language) ? active.language : active.story.language;
 }
 
-/// A tour of all notes with a view, in their order. Keeps the durations of stops.
+/// A text field of one line. Its ID and its recorded name are `name`. Returns whether the text has changed.
+bool line_field(Controls& c, const std::string& name, const char* hint, std::string& text) {
+    std::array<char, 501> typed{};
+    std::snprintf(typed.data(), typed.size(), "%s", text.c_str());
+    ImGui::SetNextItemWidth(field_width * ImGui::GetFontSize());
+    const bool changed = ImGui::InputTextWithHint(("##" + name).c_str(), hint, typed.data(), typed.size());
+    if (changed) text = typed.data();
+    c.note(name.c_str());
+    return changed;
+}
+
+/// A field for a title in the edited language.
+void title_field(Controls& c, ActiveStory& active, const std::string& name, const char* hint,
+                 StoryText& title) {
+    const std::string language = edited_language(active);
+    std::string words = text_in(active.story, title, language);
+    if (!line_field(c, name, hint, words)) return;
+    set_text(active.story, title, language, words);
+    active.changed = true;
+}
+
+/// A tour of all notes with a view, in their order. Keeps its title and the durations of stops.
 void make_tour(Story& story) {
     auto tour = std::ranges::find(story.tours, "all", &StoryTour::id);
-    if (tour == story.tours.end()) tour = story.tours.insert(tour, {"all", {"All notes", {}}, {}});
+    if (tour == story.tours.end()) tour = story.tours.insert(tour, {"all", {tr("All notes"), {}}, {}});
     const std::vector<StoryStop> before = std::exchange(tour->stops, {});
     for (const StoryNote& note : story.notes) {
         if (!note.view) continue;
@@ -117,23 +141,6 @@ void StoryEditor::place_buttons(Controls& c, ActiveStory& active, Session& s, co
     ImGui::SameLine();
 }
 
-/// Copies the texts of the story and of the open note to the text fields.
-void StoryEditor::take(const ActiveStory& active) {
-    const std::string language = edited_language(active);
-    if (edited_ == active.open && language_ == language && ImGui::IsAnyItemActive()) return;
-    edited_ = active.open;
-    language_ = language;
-    const auto copy = [](auto& field, const std::string& words) {
-        std::snprintf(field.data(), field.size(), "%s", words.c_str());
-    };
-    copy(story_title_, text_in(active.story, active.story.title, language));
-    if (!edited_) return;
-    const StoryNote& note = active.story.notes[*edited_];
-    copy(title_, text_in(active.story, note.title, language));
-    copy(text_, text_in(active.story, note.text, language));
-    copy(picture_, note.picture);
-}
-
 /// The story also keeps whether the background is hidden.
 void StoryEditor::set_opening(ActiveStory& active, Session& s, double now) const {
     active.story.opening = story_view(s.viewpoint.camera, active.axes);
@@ -147,33 +154,27 @@ void StoryEditor::set_opening(ActiveStory& active, Session& s, double now) const
 }
 
 void StoryEditor::fields(Controls& c, ActiveStory& active) {
-    StoryNote& note = active.story.notes[*edited_];
-    ImGui::PushID(int(*edited_));
-    ImGui::SetNextItemWidth(300);
-    if (ImGui::InputTextWithHint("##title", tr("Title"), title_.data(), title_.size())) {
-        set_text(active.story, note.title, language_, title_.data());
-        active.changed = true;
-    }
-    c.note("Title of the note");
-    if (ImGui::InputTextMultiline("##text", text_.data(), text_.size(), ImVec2(300, 120))) {
-        set_text(active.story, note.text, language_, text_.data());
+    StoryNote& note = active.story.notes[*active.open];
+    ImGui::PushID(int(*active.open));
+    title_field(c, active, "Title of the note", tr("Title"), note.title);
+    const std::string language = edited_language(active);
+    std::array<char, 20001> text{};
+    std::snprintf(text.data(), text.size(), "%s", text_in(active.story, note.text, language).c_str());
+    const float em = ImGui::GetFontSize();
+    if (ImGui::InputTextMultiline("##text", text.data(), text.size(), ImVec2(field_width * em, 8.5f * em))) {
+        set_text(active.story, note.text, language, text.data());
         active.changed = true;
     }
     c.note("Text of the note");
-    ImGui::SetNextItemWidth(300);
-    if (ImGui::InputTextWithHint("##picture", tr("Picture file, beside the story"), picture_.data(),
-                                 picture_.size())) {
-        note.picture = picture_.data();
-        active.changed = true;
-    }
-    c.note("Picture file of the note");
+    active.changed |=
+        line_field(c, "Picture file of the note", tr("Picture file, beside the story"), note.picture);
     durations(c, active, note.id);
     ImGui::PopID();
 }
 
 void StoryEditor::buttons(Controls& c, ActiveStory& active, const Session& s) {
     auto& notes = active.story.notes;
-    const std::size_t at = *edited_;
+    const std::size_t at = *active.open;
     const auto swap_with = [&](std::size_t other) {
         std::swap(notes[at], notes[other]);
         active.open = other;
@@ -201,37 +202,11 @@ void StoryEditor::buttons(Controls& c, ActiveStory& active, const Session& s) {
     }
 }
 
-void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View& view,
-                       const Surfaces& surfaces, double now) {
-    ImGui::SetNextWindowPos(ImVec2(float(s.window.free.left + s.window.free.width) - 12,
-                                   float(s.window.free.top + s.window.free.height) - 12),
-                            ImGuiCond_Always, ImVec2(1, 1));
-    if (!ImGui::Begin(shown_name("Edit the story").c_str(), &s.window.panels.story_editor,
-                      ImGuiWindowFlags_AlwaysAutoResize))
-        return ImGui::End();
-    const bool fixed = !active.editable();
-    if (fixed)
-        ImGui::TextWrapped("%s", active.file.empty()
-                                     ? tr("The story of a package on a server cannot be edited here.")
-                                     : active.trouble.c_str());
-    ImGui::BeginDisabled(fixed);
-    if (!fixed) take_click(active, s, surfaces.model, now);
-    take(active);
-    ImGui::SetNextItemWidth(300);
-    if (ImGui::InputTextWithHint("##story", tr("Title of the story"), story_title_.data(),
-                                 story_title_.size())) {
-        set_text(active.story, active.story.title, language_, story_title_.data());
-        active.changed = true;
-    }
-    c.note("Title of the story");
-    place_buttons(c, active, s, view, surfaces.model);
-    if (c.button("Set the opening view")) set_opening(active, s, now);
-    c.explain("The story opens with this view, and without the background if it is hidden now.");
-    if (s.window.places_note) ImGui::TextDisabled("%s", tr("Click on the model; Esc cancels."));
-    brush_.show(c, active, s, view, surfaces.anything, now);
-    if (edited_) {
-        fields(c, active);
-        buttons(c, active, s);
+/// A field for each tour's title, and the buttons for the whole story.
+void StoryEditor::tours(Controls& c, ActiveStory& active, Session& s, double now) const {
+    for (StoryTour& tour : active.story.tours) {
+        title_field(c, active, "Title of the tour " + tour.id, tr("Title of the tour"), tour.title);
+        c.explain("Title of the tour");
     }
     ImGui::BeginDisabled(active.story.notes.empty());
     if (c.button("Make a tour of all notes")) {
@@ -244,7 +219,39 @@ void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View&
     ImGui::BeginDisabled(!active.changed);
     if (c.button("Save the story")) save(active, s.message, now);
     ImGui::EndDisabled();
+}
+
+void StoryEditor::content(Controls& c, ActiveStory& active, Session& s, const View& view,
+                          const Surfaces& surfaces, double now) {
+    const bool fixed = !active.editable();
+    if (fixed)
+        ImGui::TextWrapped("%s", active.file.empty()
+                                     ? tr("The story of a package on a server cannot be edited here.")
+                                     : active.trouble.c_str());
+    ImGui::BeginDisabled(fixed);
+    if (!fixed) take_click(active, s, surfaces.model, now);
+    title_field(c, active, "Title of the story", tr("Title of the story"), active.story.title);
+    place_buttons(c, active, s, view, surfaces.model);
+    if (c.button("Set the opening view")) set_opening(active, s, now);
+    c.explain("The story opens with this view, and without the background if it is hidden now.");
+    if (s.window.places_note) ImGui::TextDisabled("%s", tr("Click on the model; Esc cancels."));
+    brush_.show(c, active, s, view, surfaces.anything, now);
+    if (active.open) {
+        fields(c, active);
+        buttons(c, active, s);
+    }
+    tours(c, active, s, now);
     ImGui::EndDisabled();
+}
+
+void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View& view,
+                       const Surfaces& surfaces, double now) {
+    ImGui::SetNextWindowPos(ImVec2(float(s.window.free.left + s.window.free.width) - 12,
+                                   float(s.window.free.top + s.window.free.height) - 12),
+                            ImGuiCond_Always, ImVec2(1, 1));
+    if (ImGui::Begin(shown_name("Edit the story").c_str(), &s.window.panels.story_editor,
+                     ImGuiWindowFlags_AlwaysAutoResize))
+        content(c, active, s, view, surfaces, now);
     ImGui::End();
 }
 

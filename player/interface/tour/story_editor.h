@@ -1,7 +1,4 @@
 #pragma once
-#include <array>
-#include <optional>
-
 #include "player/interface/overlays/note_markers.h"
 #include "player/interface/sections/controls.h"
 #include "player/interface/state/session.h"
@@ -17,7 +14,7 @@ bool place_note(ActiveStory& active, std::size_t note, const Session& session, c
 
 /// The panel for writing a story. The panel sets the title and the opening view, adds notes at points on the
 /// surface that are clicked, edits the open note and its stops in tours, sorts the notes, makes a tour of
-/// them, and saves the story. Texts are edited in the displayed language.
+/// them, sets the titles of tours, and saves the story. Texts are edited in the displayed language.
 class StoryEditor {
   public:
     /// The places at a pixel; either may be empty.
@@ -39,16 +36,13 @@ class StoryEditor {
     void set_opening(ActiveStory& active, Session& session, double now) const;
     void fields(Controls& controls, ActiveStory& active);
     void buttons(Controls& controls, ActiveStory& active, const Session& session);
-    void take(const ActiveStory& active);
+    void tours(Controls& controls, ActiveStory& active, Session& session, double now) const;
+    void content(Controls& controls, ActiveStory& active, Session& session, const View& view,
+                 const Surfaces& surfaces, double now);
 
     HidingBrush brush_;
     bool background_;
-    bool moves_ = false;                 ///< the next click moves the open note's anchor
-    std::optional<std::size_t> edited_;  ///< the note in the text fields
-    std::string language_;               ///< language of the edited texts
-    std::array<char, 501> story_title_{}, title_{};
-    std::array<char, 20001> text_{};
-    std::array<char, 501> picture_{};
+    bool moves_ = false;  ///< the next click moves the open note's anchor
 };
 
 }  // namespace vantage
