@@ -1,8 +1,22 @@
 #include "player/interface/docked.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace vantage {
+namespace {
+
+/// How far the current ImGui window must move in this frame to keep its right side in place, if it is in the
+/// right half of an area; 0 otherwise.
+float growth_to_left(const Area& area) {
+    const float width = ImGui::GetWindowWidth();
+    float& last = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("width"));
+    const float before = std::exchange(last, ImGui::IsWindowAppearing() ? 0 : width);
+    const bool at_right = ImGui::GetWindowPos().x + before / 2 > area.left + area.width / 2;
+    return before > 0 && last > 0 && at_right ? before - width : 0;
+}
+
+}  // namespace
 
 void begin_docked(const char* name, const Area& area, ImVec2 padding, ImGuiWindowFlags flags) {
     ImGui::SetNextWindowPos(ImVec2(float(area.left), float(area.top)));
@@ -15,9 +29,11 @@ void begin_docked(const char* name, const Area& area, ImVec2 padding, ImGuiWindo
 }
 
 void keep_within(const Area& area) {
-    const ImVec2 at = ImGui::GetWindowPos();
-    const float right = float(area.left + area.width) - ImGui::GetWindowWidth();
-    const ImVec2 inside(std::max(std::min(at.x, right), float(area.left)), std::max(at.y, float(area.top)));
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const float right = float(area.left + area.width) - size.x,
+                bottom = float(area.top + area.height) - size.y;
+    const ImVec2 inside(std::max(std::min(at.x + growth_to_left(area), right), float(area.left)),
+                        std::max(std::min(at.y, bottom), float(area.top)));
     if (inside.x != at.x || inside.y != at.y) ImGui::SetWindowPos(inside);
 }
 

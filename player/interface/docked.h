@@ -9,7 +9,8 @@ namespace vantage {
 /// follow.
 void begin_docked(const char* name, const Area& area, ImVec2 padding, ImGuiWindowFlags flags);
 
-/// Moves the current ImGui window into an area if its upper left corner or its right side is outside.
+/// Moves the current ImGui window into an area if it extends beyond it. In the right half of the area, a
+/// window that has become wider or narrower keeps its right side.
 void keep_within(const Area& area);
 
 /// The flags of a panel that visitors can read. In a kiosk, they can neither move nor collapse it.

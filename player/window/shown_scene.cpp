@@ -276,11 +276,12 @@ void ShownScene::tell(const View& view, double now) {
     };
     s.window.places_note &= s.window.panels.story_editor;
     s.window.hides_pieces &= s.window.panels.story_editor && !s.window.panels.measure;
+    double room = s.window.free.height;
     if (s.window.panels.story_editor)
-        story_editor_.show(controls_, scene_.active, s, view, {hit_surface, anything}, now);
+        room = story_editor_.show(controls_, scene_.active, s, view, {hit_surface, anything}, now);
     if (!s.window.panels.story) return;
     if (scene_.active.any() || (!scene_.active.trouble.empty() && !s.window.kiosk))
-        story_panel(controls_, scene_.active, s, now);
+        story_panel(controls_, scene_.active, s, room, now);
     if (picture_.in_parts()) return;
     const MarkerInput input =
         draw_note_markers(controls_, note_markers(scene_.active.story, scene_.active.axes, view, surface),

@@ -1,5 +1,6 @@
 // The window's controls fit at every size and text scale, and in every language.
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <string>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "base/text/translation.h"
+#include "scene/story/story_file.h"
 #include "tests/window/window_test.h"
 
 using namespace vantage;
@@ -75,6 +77,15 @@ void press_every_more(HeadlessWindow& w) {
         if (p.name.starts_with("More ")) w.press(p.name);
 }
 
+/// The place of a panel whose name contains a text.
+ImRect rect_of(const char* text) {
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+        if (window->Active && std::string_view(window->Name).find(text) != std::string_view::npos)
+            return window->Rect();
+    ADD_FAILURE() << "there is no panel " << text;
+    return {};
+}
+
 class WindowSizes : public WindowTest {};
 
 }  // namespace
@@ -138,6 +149,34 @@ TEST_F(WindowSizes, TheHelpAndAllToolsFitASmallWindow) {
         EXPECT_LE(help.high.y - help.low.y, 700);
         EXPECT_GT(help.high.y - help.low.y, 20 * 14) << "a line per key";
     }
+}
+
+TEST_F(WindowSizes, TheStoryAndItsEditorStayInTheFreeArea) {
+    const auto package = copy_of(WindowScene::tiny);
+    Story story;
+    for (const char* id : {"a", "b", "c", "d", "e", "f"}) story.notes.push_back({id, {id, {}}, {}});
+    write_story(story_file_of(package), story);
+    HeadlessWindow w(package);
+    w.resize(1280, 800);
+    const ImRect place = rect_of("###story");
+    const auto turn_text = [&](int key) {
+        for (int i = 0; i < 6; ++i) w.key(key, control);
+    };
+    turn_text(GLFW_KEY_EQUAL);
+    EXPECT_GT(w.session.window.text_scale, 1.9);
+    EXPECT_EQ(rect_of("###story").Max.x, place.Max.x);
+    w.key(GLFW_KEY_E, control), w.press("List 1"), w.frames(3);
+    const Area& free = w.session.window.free;
+    const ImRect all(float(free.left), float(free.top), float(free.left + free.width),
+                     float(free.top + free.height)),
+        editor = rect_of("Edit the story"), list = rect_of("###story");
+    EXPECT_TRUE(all.Contains(editor) && all.Contains(list));
+    EXPECT_FALSE(list.Overlaps(editor));
+    w.point_at(w.place("Title of the story")), w.wheel(-50), w.frames(3);
+    EXPECT_TRUE(editor.Contains(w.find("Save the story")->high)) << "scrolled to its end";
+    w.key(GLFW_KEY_E, control);
+    turn_text(GLFW_KEY_MINUS), w.frames(3);
+    EXPECT_EQ(rect_of("###story").Min.x, place.Min.x) << "back in its place";
 }
 
 TEST_F(WindowSizes, ThePictureDoesNotTintTheBarTheStripAndTheSidebar) {

@@ -11,6 +11,7 @@
 #include "base/text/formatted.h"
 #include "base/text/translation.h"
 #include "player/interface/state/failure_text.h"
+#include "player/interface/tour/story_panel.h"
 
 namespace vantage {
 namespace {
@@ -244,15 +245,20 @@ void StoryEditor::content(Controls& c, ActiveStory& active, Session& s, const Vi
     ImGui::EndDisabled();
 }
 
-void StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View& view,
-                       const Surfaces& surfaces, double now) {
-    ImGui::SetNextWindowPos(ImVec2(float(s.window.free.left + s.window.free.width) - 12,
-                                   float(s.window.free.top + s.window.free.height) - 12),
+double StoryEditor::show(Controls& c, ActiveStory& active, Session& s, const View& view,
+                         const Surfaces& surfaces, double now) {
+    const Area& free = s.window.free;
+    const float em = ImGui::GetFontSize(), list = least_story_panel * em;
+    ImGui::SetNextWindowPos(ImVec2(float(free.left + free.width) - 12, float(free.top + free.height) - 12),
                             ImGuiCond_Always, ImVec2(1, 1));
-    if (ImGui::Begin(shown_name("Edit the story").c_str(), &s.window.panels.story_editor,
-                     ImGuiWindowFlags_AlwaysAutoResize))
-        content(c, active, s, view, surfaces, now);
+    ImGui::SetNextWindowSizeConstraints(
+        ImVec2(0, 0), ImVec2(float(free.width) - 24, std::max(5 * em, float(free.height) - list - 36)));
+    const bool open = ImGui::Begin(shown_name("Edit the story").c_str(), &s.window.panels.story_editor,
+                                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_HorizontalScrollbar);
+    const double above = double(ImGui::GetWindowPos().y) - free.top;
+    if (open) content(c, active, s, view, surfaces, now);
     ImGui::End();
+    return above;
 }
 
 }  // namespace vantage

@@ -24,8 +24,9 @@ class StoryEditor {
 
     /// `background`: whether the scene has a photographed background.
     explicit StoryEditor(bool background) : background_(background) {}
-    void show(Controls& controls, ActiveStory& active, Session& session, const View& view,
-              const Surfaces& surfaces, double now);
+    /// Returns the height of the free area above the panel, which the story panel may use.
+    double show(Controls& controls, ActiveStory& active, Session& session, const View& view,
+                const Surfaces& surfaces, double now);
 
   private:
     void add(ActiveStory& active, const Session& session, const SurfaceAt& surface,

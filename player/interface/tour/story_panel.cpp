@@ -92,13 +92,15 @@ void note_content(Controls& c, ActiveStory& active, NotePicture& picture, Sessio
     if (count > 1 && c.button("Next note")) open_note(active, s.viewpoint, (at + 1) % count, now);
 }
 
-void story_panel(Controls& c, ActiveStory& active, Session& s, double now) {
-    const float em = ImGui::GetFontSize();
+void story_panel(Controls& c, ActiveStory& active, Session& s, double room, double now) {
+    const float em = ImGui::GetFontSize(), width = float(s.window.free.width) - 24,
+                height = std::min(0.6f * float(s.window.free.height), float(room) - 24);
     ImGui::SetNextWindowPos(
         ImVec2(float(s.window.free.left + s.window.free.width) - 12, float(s.window.free.top) + 12),
         ImGuiCond_Appearing, ImVec2(1, 0));
     ImGui::SetNextWindowSizeConstraints(
-        ImVec2(16 * em, 4 * em), ImVec2(23 * em, std::max(8 * em, 0.6f * float(s.window.free.height))));
+        ImVec2(std::min(16 * em, width), 4 * em),
+        ImVec2(std::min(23 * em, width), std::max(least_story_panel * em, height)));
     const std::string& title = text_in(active.story, active.story.title, active.language);
     if (!ImGui::Begin(((title.empty() ? tr("Story") : title) + "###story").c_str(),
                       s.window.kiosk ? nullptr : &s.window.panels.story, reading_panel(s.window)))
