@@ -186,7 +186,8 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
             out.push_back({d.label, label_place(d.measurement.measure, points, scene_.measure.up()), white});
         }
     for (std::size_t i = 0; i < scene_.active.story.notes.size(); ++i)
-        if (const auto& anchor = scene_.active.story.notes[i].anchor)
+        if (const auto& anchor = scene_.active.story.notes[i].anchor;
+            anchor && !hides(scene_.active.story, *anchor))
             out.push_back({note_label(scene_.active, i), *anchor - origin_, white});
     for (const Pointed& p : pointed_)
         if (p.photo)
@@ -228,7 +229,8 @@ void HeadsetScene::mark(const HeadsetFrame& frame) {
         for (const MeasurePanel::Drawn& d : measured_)
             add_measurement(marks_, locomotion_.stance, d, origin_, scene_.measure.up());
     for (std::size_t i = 0; i < scene_.active.story.notes.size(); ++i)
-        if (const auto& anchor = scene_.active.story.notes[i].anchor)
+        if (const auto& anchor = scene_.active.story.notes[i].anchor;
+            anchor && !hides(scene_.active.story, *anchor))
             add_note(marks_, locomotion_.stance, *anchor - origin_, scene_.active.open == i);
     if (locomotion_.arc) add_arc(marks_, locomotion_.stance, *locomotion_.arc);
     for (std::size_t i = 0; i < 2; ++i) {

@@ -58,6 +58,12 @@ const StoryView* view_of_stop(const Story& story, const StoryStop& stop) {
     return note && note->view ? &*note->view : nullptr;
 }
 
+bool hides(const Story& story, const Eigen::Vector3d& place) {
+    return std::ranges::any_of(story.hidden, [&](const StoryBall& ball) {
+        return (place - ball.center).squaredNorm() <= ball.radius * ball.radius;
+    });
+}
+
 void set_text(const Story& story, StoryText& text, const std::string& language, const std::string& words) {
     if (text.by_language.empty() && (language.empty() || language == story.language)) {
         text.plain = words;

@@ -107,6 +107,9 @@ const std::string& text_in(const Story& story, const StoryText& text, const std:
 /// A sorted list of all languages of the story's texts, including the story's own language.
 std::vector<std::string> languages_of(const Story& story);
 
+/// Whether a place is in one of the hidden balls.
+bool hides(const Story& story, const Eigen::Vector3d& place);
+
 /// The note with this ID; null if there is none.
 const StoryNote* note_of(const Story& story, const std::string& id);
 /// The tour with this ID or, if there is none, with this title in any language; null if there is no such

@@ -343,9 +343,14 @@ TEST_F(WindowStories, ACuratorHidesAPieceForVisitors) {
         ASSERT_EQ(hidden.size(), 1u) << "after Esc, clicks hide nothing";
         EXPECT_LT((hidden[0].center - on_wall).norm(), 0.02);
     }
+    Story story = saved();
+    story.notes = {{"a", {}, {}, "", {}, on_wall}};
+    write_story(story_file_of(package), story);
     options.window.kiosk = true;
     HeadlessWindow visitor(package, options);
     EXPECT_FALSE(shows_wall(visitor));
+    EXPECT_TRUE(visitor.there("List 1"));
+    EXPECT_FALSE(visitor.there("Note 1")) << "its mark is hidden, too";
 }
 
 TEST_F(WindowStories, TheBarSharesTheStorysPage) {

@@ -22,7 +22,7 @@ std::optional<NoteHit> note_on(const Story& story, const Eigen::Vector3d& origin
     std::optional<NoteHit> out;
     for (std::size_t i = 0; i < story.notes.size(); ++i) {
         const auto& anchor = story.notes[i].anchor;
-        if (!anchor) continue;
+        if (!anchor || hides(story, *anchor)) continue;
         const Eigen::Vector3d to = *anchor - origin - ray.from;
         const double along = to.dot(ray.along);
         const bool meets = along > 0 && (to - along * ray.along).norm() < note_reach * along;

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace vantage {
@@ -38,8 +39,10 @@ std::vector<NoteMarker> note_markers(const Story& story, const InputAxes& axes, 
         const auto shown = project(k, view.cam_from_origin, *story.notes[i].anchor - axes.origin);
         if (!shown || !in_frame(k, shown->pixel)) continue;
         const auto front = surface(shown->pixel);
-        out.push_back({i, shown->pixel, shown->z,
-                       front && depth_in(view, *front) < shown->z - nearer * scale_at(view, shown->z)});
+        const double behind = front ? depth_in(view, *front) - shown->z : HUGE_VAL,
+                     same = nearer * scale_at(view, shown->z);
+        if (std::abs(behind) > same && hides(story, *story.notes[i].anchor)) continue;
+        out.push_back({i, shown->pixel, shown->z, behind < -same});
     }
     std::ranges::stable_sort(out, std::ranges::greater(), &NoteMarker::depth);
     return out;

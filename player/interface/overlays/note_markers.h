@@ -22,7 +22,7 @@ struct NoteMarker {
 using SurfaceAt = std::function<std::optional<Eigen::Vector3d>(const Eigen::Vector2d& pixel)>;
 
 /// The anchors in the frame, farthest first. An anchor is hidden if the surface at its pixel is nearer by
-/// more than a hundredth of its depth.
+/// more than a hundredth of its depth. Anchors on pieces that the story hides are skipped.
 std::vector<NoteMarker> note_markers(const Story& story, const InputAxes& axes, const View& view,
                                      const SurfaceAt& surface);
 

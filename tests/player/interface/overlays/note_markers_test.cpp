@@ -60,6 +60,18 @@ TEST(NoteMarkers, AreHiddenByANearerSurfaceOnly) {
     }
 }
 
+TEST(NoteMarkers, AreMissingWhereTheStoryHidesTheSurface) {
+    Story story = story_with({{1000, 2000, 3000}});
+    const auto shown_at = [&](double y) {
+        const auto surface = [&](const Vector2d&) { return std::optional(Vector3d(0, y, 0)); };
+        return note_markers(story, note_axes, view(), surface).size();
+    };
+    EXPECT_EQ(shown_at(5), 1u);
+    story.hidden.push_back({{1000, 2000, 3000.5}, 0.6});
+    EXPECT_EQ(shown_at(5), 0u);
+    EXPECT_EQ(shown_at(0), 1u) << "this part of the ball's surface remained";
+}
+
 TEST(SurfaceAtPixel, IsOnTheTriangleThatIsSeenThere) {
     PlanScene scene;
     const std::vector<Eigen::Vector3f> corners{{-1, 0, -1}, {1, 0, -1}, {0, 2, 1}};
