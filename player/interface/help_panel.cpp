@@ -24,6 +24,13 @@ Shortcut blend_shortcuts() {
     return out;
 }
 
+/// The help in a kiosk, whose visitors have neither mouse nor keyboard.
+std::vector<Shortcut> touch_gestures() {
+    return {{marked("one finger"), marked("orbit the model")},
+            {marked("two fingers"), marked("pan, move closer or away, turn")},
+            {marked("two taps"), marked("move closer to the tapped point")}};
+}
+
 void show_line(const Shortcut& line) {
     ImGui::TextColored(ImVec4(0.55f, 0.75f, 1, 1), "%s", tr(line.keys.c_str()));
     ImGui::SameLine(16 * ImGui::GetFontSize());
@@ -71,13 +78,14 @@ void help_panel(Controls& c, WindowState& window) {
     ImGui::SetNextWindowPos(ImVec2(screen.x / 2, screen.y / 2), ImGuiCond_Appearing, ImVec2(0.5f, 0.5f));
     ImGui::SetNextWindowBgAlpha(1);
     const char* const title = marked("Mouse, fingers and keys");
-    if (ImGui::Begin(shown_name(title).c_str(), &window.panels.help,
+    if (ImGui::Begin(shown_name(window.kiosk ? marked("Touch gestures") : title).c_str(), &window.panels.help,
                      reading_panel(window) | ImGuiWindowFlags_NoSavedSettings)) {
-        for (const Shortcut& line : shortcuts())
-            if (line.for_public || !window.kiosk) show_line(line);
-        ImGui::Separator();
-        ImGui::TextUnformatted(
-            formatted(tr("Vantage %s, published under the MIT license"), VANTAGE_VERSION).c_str());
+        for (const Shortcut& line : window.kiosk ? touch_gestures() : shortcuts()) show_line(line);
+        if (!window.kiosk) {
+            ImGui::Separator();
+            ImGui::TextUnformatted(
+                formatted(tr("Vantage %s, published under the MIT license"), VANTAGE_VERSION).c_str());
+        }
         const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
         c.note(title, low, ImVec2(low.x + size.x, low.y + size.y));
     }

@@ -10,11 +10,12 @@ namespace vantage {
 /// A line of the help, in English: "Ctrl+Q" and "quit".
 struct Shortcut {
     std::string keys, action;
-    bool for_public = false;  ///< also available in a kiosk
+    bool for_public = false;  ///< also works in a kiosk
 };
 std::vector<Shortcut> shortcuts();
 
-/// Help for mouse, touch and keyboard. Its position is recorded as "Mouse, fingers and keys".
+/// Help for mouse, touch and keyboard; in a kiosk, for touch alone. Its position is recorded as "Mouse,
+/// fingers and keys".
 void help_panel(Controls& controls, WindowState& window);
 
 }  // namespace vantage
