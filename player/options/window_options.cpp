@@ -12,7 +12,8 @@ void add_window_options(const Command& c, WindowOptions& o) {
     c.flag("--no-saved-settings", o.fresh, "start with default settings, and do not save changes")
         .group(group);
     c.text("--language", o.language,
-           "language of the window and of stories, such as de or fr (default: the system's)")
+           "language of the window and of stories, such as de or fr (default: the system's, or else the "
+           "story's)")
         .type("CODE")
         .group(group);
     c.real("--text-scale", o.text_scale, 0.7, 4,

@@ -1,5 +1,6 @@
 #include "player/window/loaded_scene.h"
 
+#include "base/text/translation.h"
 #include "player/window/start_session.h"
 
 namespace vantage {
@@ -11,6 +12,7 @@ LoadedScene::LoadedScene(const PackageReader& package, const std::vector<SceneOb
       measure(package),
       active(active_story(o.package.file, input_axes(package), session.window.language)),
       language(session.window.language) {
+    use_language(active.language);
     hide_pieces();
     begin_in_scene(session, package, active, o);
 }

@@ -81,6 +81,28 @@ TEST_F(WindowLanguages, MenusNameTheKeysOfTheKeyboard) {
     }
 }
 
+TEST_F(WindowLanguages, AStoryIsWrittenInTheWindowsLanguageAndSetsThatOfAKiosk) {
+    const std::filesystem::path package = copy_of(WindowScene::tiny);
+    {
+        HeadlessWindow w(package, in("de-AT"));
+        w.key(GLFW_KEY_E, control);
+        w.press("Set the opening view"), w.press("Save the story");
+    }
+    {
+        const HeadlessWindow w(package, in("en"));
+        EXPECT_NE(shown_text().find("Compare"), std::string::npos) << "chosen explicitly";
+    }
+    ShowOptions options;
+    options.window.kiosk = true;
+    options.window.home_after = 2;
+    HeadlessWindow w(package, options);
+    EXPECT_NE(shown_text().find("Vergleichen"), std::string::npos) << shown_text();
+    w.choose("Bar Language", "Français");
+    EXPECT_EQ(shown_text().find("Vergleichen"), std::string::npos) << shown_text();
+    w.wait(4);
+    EXPECT_NE(shown_text().find("Vergleichen"), std::string::npos) << "the next visitor's language";
+}
+
 TEST_F(WindowLanguages, ControlsAreKnownWithoutContexts) {
     for (const char* language : {"en", "de"}) {
         HeadlessWindow w(package_of(WindowScene::tiny), in(language));

@@ -27,7 +27,7 @@ struct WindowState {
     bool keyboard = true;  ///< keyboard and mouse; otherwise the picture accepts no input
     bool kiosk = false;    ///< public mode: no opening, saving, settings or quitting
     float text_scale = 1;
-    /// Language of the window and of stories, such as "de-AT"; empty: English, and the story's default.
+    /// Language of the window and of stories, such as "de-AT"; empty: the story's.
     std::string language;
     std::vector<std::string> story_languages;  ///< languages of the shown scene's story
     std::string web;                           ///< the story's page on the web; may be empty

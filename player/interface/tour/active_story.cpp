@@ -30,6 +30,8 @@ std::string text_on_disk(const std::filesystem::path& file) {
 ActiveStory active_story(const std::filesystem::path& package, const InputAxes& axes,
                          const std::string& language) {
     ActiveStory active{story_file_of(package), axes, {}, language, {}, {}};
+    const std::string base = language.substr(0, language.find('-'));
+    if (std::ranges::count(languages_of_window(), base)) active.story.language = base;
     std::error_code error;
     if (active.file.empty() || !std::filesystem::exists(std::filesystem::symlink_status(active.file, error)))
         return active;
@@ -92,7 +94,7 @@ void follow_language(ActiveStory& active, std::string& in_use, const std::string
     if (chosen == in_use) return;
     in_use = chosen;
     active.language = chosen.empty() ? active.story.language : chosen;
-    use_language(chosen);
+    use_language(active.language);
 }
 
 void save(ActiveStory& active) {

@@ -29,7 +29,8 @@ struct ActiveStory {
     bool any() const { return !story.notes.empty() || !story.tours.empty(); }
 };
 
-/// Reads the story next to a package or a scene file. Errors are reported in `trouble`.
+/// Reads the story next to a package or a scene file; a new story is in the window's language. Errors are
+/// reported in `trouble`.
 ActiveStory active_story(const std::filesystem::path& package, const InputAxes& axes,
                          const std::string& language);
 
@@ -50,7 +51,8 @@ std::optional<std::size_t> note_at_stop(const Story& story, const StoryTour& tou
 /// The opening view, or nullopt if the story has none.
 std::optional<Navigation> opening_of(const ActiveStory& active);
 
-/// If a different language was chosen in the window or in the story, applies it to both.
+/// If a different language was chosen in the window or in the story, applies it to both. If none was chosen,
+/// both have the story's.
 void follow_language(ActiveStory& active, std::string& in_use, const std::string& chosen);
 
 /// Writes the story to its file. Throws Error(usage) if another program has changed the file since it was
