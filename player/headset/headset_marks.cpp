@@ -87,7 +87,7 @@ void add_arc(Marks& marks, const Stance& stance, const TeleportArc& arc) {
     add_ring(marks, at, stance.up(), 0, 0.22 * m, {color[0], color[1], color[2], 0.25f});
 }
 
-void add_measurement(Marks& marks, const Stance& stance, const MeasurePanel::Drawn& d, const Vector3d& origin,
+void add_measurement(Marks& marks, const Stance& stance, const DrawnMeasurement& d, const Vector3d& origin,
                      const Vector3d& up) {
     const std::vector<Vector3d> points = points_from(d.measurement, origin);
     const MarkColor color = color_of(d.look);

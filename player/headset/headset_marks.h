@@ -20,7 +20,7 @@ void add_dot(Marks& marks, const Stance& stance, const Hand& hand, double length
 /// The arc of a teleport and its landing point.
 void add_arc(Marks& marks, const Stance& stance, const TeleportArc& arc);
 /// A measurement's points and lines. `origin`: the package's origin, in input coordinates.
-void add_measurement(Marks& marks, const Stance& stance, const MeasurePanel::Drawn& drawn,
+void add_measurement(Marks& marks, const Stance& stance, const DrawnMeasurement& drawn,
                      const Eigen::Vector3d& origin, const Eigen::Vector3d& up);
 /// The photos of the shown image set as pictures at their cameras, unless the camera is very close to the
 /// eye. The photo that is pointed at has a white frame.

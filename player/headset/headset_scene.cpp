@@ -180,7 +180,7 @@ std::vector<SceneLabel> HeadsetScene::labels(const HeadsetFrame& frame) const {
             {session_.message.text, in_scene(locomotion_.stance, frame.head.at + ahead), white, true});
     }
     if (session_.window.panels.measure)
-        for (const MeasurePanel::Drawn& d : measured_) {
+        for (const DrawnMeasurement& d : measured_) {
             const std::vector<Eigen::Vector3d> points = points_from(d.measurement, origin_);
             if (points.empty() || d.label.empty()) continue;
             out.push_back({d.label, label_place(d.measurement.measure, points, scene_.measure.up()), white});
@@ -226,7 +226,7 @@ void HeadsetScene::mark(const HeadsetFrame& frame) {
     if (session_.window.panels.frusta)
         add_photos(marks_, locomotion_.stance, scene_.renderer, session_, eye, photo);
     if (session_.window.panels.measure)
-        for (const MeasurePanel::Drawn& d : measured_)
+        for (const DrawnMeasurement& d : measured_)
             add_measurement(marks_, locomotion_.stance, d, origin_, scene_.measure.up());
     for (std::size_t i = 0; i < scene_.active.story.notes.size(); ++i)
         if (const auto& anchor = scene_.active.story.notes[i].anchor;

@@ -78,7 +78,7 @@ class HeadsetScene {
     std::array<Pointed, 2> pointed_;
     std::array<bool, 2> selected_{};             ///< whether each hand selected in the last frame
     bool menu_pressed_ = false, gazed_ = false;  ///< likewise
-    std::vector<MeasurePanel::Drawn> measured_;  ///< in this frame
+    std::vector<DrawnMeasurement> measured_;     ///< in this frame
     MenuPointer menu_pointer_;
     Marks marks_, hand_marks_;
     MarkPass mark_pass_, hand_pass_;

@@ -29,10 +29,12 @@ void begin_docked(const char* name, const Area& area, ImVec2 padding, ImGuiWindo
 }
 
 void keep_within(const Area& area) {
+    const float growth = growth_to_left(area);
+    if (ImGui::IsWindowAppearing()) return;  // its size and place are not known yet
     const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     const float right = float(area.left + area.width) - size.x,
                 bottom = float(area.top + area.height) - size.y;
-    const ImVec2 inside(std::max(std::min(at.x + growth_to_left(area), right), float(area.left)),
+    const ImVec2 inside(std::max(std::min(at.x + growth, right), float(area.left)),
                         std::max(std::min(at.y, bottom), float(area.top)));
     if (inside.x != at.x || inside.y != at.y) ImGui::SetWindowPos(inside);
 }

@@ -8,14 +8,15 @@ namespace vantage {
 namespace {
 
 // Sizes of the areas, in multiples of the text height.
-constexpr double menu_height = 1.3, bar_height = 2.9, strip_height = 5.6, sidebar_width = 23;
+constexpr double menu_height = 1.3, bar_height = 2.9, strip_height = 5.6, sidebar_width = 23,
+                 measure_width = 26;
 constexpr double least_height_with_strip = 24;
 
 }  // namespace
 
 Layout layout_of(const Panels& panels, int width, int height, double em, bool photos) {
     Layout out;
-    double top = 0, bottom = height, left = 0;
+    double top = 0, bottom = height, left = 0, right = width;
     if (panels.bar) {
         const double high = std::round(bar_height * em);
         out.bar = {0, bottom -= high, double(width), high};
@@ -29,7 +30,9 @@ Layout layout_of(const Panels& panels, int width, int height, double em, bool ph
         left = std::round(std::min(sidebar_width * em, 0.45 * width));
         out.sidebar = {0, top, left, std::max(1.0, bottom - top)};
     }
-    out.free = {left, top, std::max(1.0, width - left), std::max(1.0, bottom - top)};
+    const double beside = std::round(right - measure_width * em);
+    if (panels.measure && beside - left >= width - beside) right = beside;
+    out.free = {left, top, std::max(1.0, right - left), std::max(1.0, bottom - top)};
     return out;
 }
 

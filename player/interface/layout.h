@@ -10,7 +10,7 @@ namespace vantage {
 /// Areas of the interface's parts in the window, in pixels. Hidden parts have no size.
 struct Layout {
     Area menu, sidebar, strip, bar;
-    Area free;  ///< remaining area for the picture
+    Area free;  ///< remaining area for the picture, without a column for the measure panel if there is room
 };
 
 /// `em`: text height in pixels. `photos`: whether the scene has photos for the strip.

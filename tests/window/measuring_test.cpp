@@ -104,6 +104,14 @@ TEST_F(WindowMeasures, EveryMeasureOfTheOpening) {
     EXPECT_NEAR(value(w, ++n), 3.50333, 5e-4)
         << "Backspace removes the last point, and a double-click finishes";
     EXPECT_FALSE(w.session.viewpoint.flight) << "a double-click measures instead of flying";
+    std::vector<Controls::Place> labels = w.controls.places();
+    std::erase_if(labels, [](const Controls::Place& p) { return p.name != "Measurement label"; });
+    EXPECT_EQ(labels.size(), n);
+    for (const Controls::Place& a : labels)
+        for (const Controls::Place& b : labels)
+            EXPECT_TRUE(&a == &b || a.low.x >= b.high.x || b.low.x >= a.high.x || a.low.y >= b.high.y ||
+                        b.low.y >= a.high.y)
+                << "a label covers another one";
 }
 
 TEST_F(WindowMeasures, AProfileAcrossTheOpeningIsARecessInChartAndTable) {
@@ -241,6 +249,23 @@ TEST_F(WindowMeasures, AreThereAgainAndADamagedFileIsLeftAlone) {
         w.resize(1600, 900);  // the panel is beside the building
         w.key(GLFW_KEY_M);
         EXPECT_TRUE(w.there("distance 1"));
+    }
+    {
+        SurveyFile file = survey_file_of(package, false);
+        Survey many = read_survey(file, {});
+        many.measurements.resize(30, many.measurements.front());
+        write_survey(file, many);
+        HeadlessWindow w(package, from_photo());
+        w.resize(1280, 800);
+        w.key(GLFW_KEY_TAB), w.key(GLFW_KEY_M);
+        w.frames(3);
+        EXPECT_LT(w.place("Export table").y(), w.place("Photo 1").y() - 40) << "in reach";
+        w.key(GLFW_KEY_H), w.wait(1);
+        const double left = w.find("Section Picture")->high.x, right = w.find("Snap to vertices")->low.x;
+        EXPECT_NEAR(w.view().intrinsics.cx, (left + right) / 2, 15) << "between the sidebar and the panel";
+        click(w, {1.6, 0, 3.7}), click(w, {1.6, 0, 5.3});
+        w.frames(3);
+        EXPECT_LT(w.place("distance 2").y(), w.place("Export table").y()) << "the list shows the last one";
     }
     const std::string cut = slurp(survey_file()).substr(0, 100);
     std::ofstream(survey_file()) << cut;

@@ -1,12 +1,13 @@
 #pragma once
 #include <Eigen/Core>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "player/interface/sections/controls.h"
 #include "player/survey/measurement.h"
-#include "player/survey/scale_bar.h"
+#include "player/survey/units.h"
 #include "player/view/view.h"
 
 namespace vantage {
@@ -25,12 +26,22 @@ std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> lines_of(Measure measur
 Eigen::Vector3d label_place(Measure measure, const std::vector<Eigen::Vector3d>& points,
                             const Eigen::Vector3d& up);
 
-/// Draws a measurement over the picture, without occlusion: its points, its lines and a label. `origin`: the
-/// origin of the view's coordinates, in the coordinates of the points. `up`: as for evaluate().
-void draw_measurement(const Measurement& measurement, const std::string& label, const View& view,
-                      const Eigen::Vector3d& origin, const Eigen::Vector3d& up, MeasureLook look);
+/// A measurement as it is drawn in the picture.
+struct DrawnMeasurement {
+    Measurement measurement;
+    std::string label;
+    MeasureLook look;
+};
 
-/// Draws a scale bar with this label in the lower right corner of an area.
-void draw_scale_bar(Controls& controls, const ScaleBar& bar, const std::string& label, const Area& area);
+/// Draws measurements over the picture, without occlusion: their points, their lines and labels, which do not
+/// cover each other. `origin`: the origin of the view's coordinates, in the coordinates of the points. `up`:
+/// as for evaluate().
+void draw_measurements(Controls& controls, std::span<const DrawnMeasurement> measurements, const View& view,
+                       const Eigen::Vector3d& origin, const Eigen::Vector3d& up);
+
+/// Draws a scale bar for lengths at the depth of `point` in the lower right corner of an area, if the scale
+/// is known. `point`: relative to the view's origin.
+void show_scale_bar(Controls& controls, const View& view, const Eigen::Vector3d& point, const Scale& scale,
+                    const Area& area);
 
 }  // namespace vantage

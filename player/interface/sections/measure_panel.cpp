@@ -104,33 +104,25 @@ void MeasurePanel::show(Controls& c, Session& s, std::span<const PlacedMesh> mes
     if (!attend(s, now)) return;
     take_clicks(s, meshes, view, now);
     look_under_pointer(s, meshes, view);
-    for (const Drawn& d : drawn())
-        draw_measurement(d.measurement, d.label, view, origin_, survey_.up, d.look);
-    if (scale_bar_ && !meshes.empty()) show_scale_bar(c, s, view);
-    const float em = ImGui::GetFontSize();
-    const Area& free = s.window.free;
-    ImGui::SetNextWindowPos(ImVec2(float(free.left + free.width) - em, float(free.top) + em),
-                            ImGuiCond_Appearing, ImVec2(1, 0));
+    draw_measurements(c, drawn(), view, origin_, survey_.up);
+    if (scale_bar_ && !meshes.empty())
+        show_scale_bar(c, view, s.viewpoint.camera.target, survey_.scale, s.window.free);
+    const float em = ImGui::GetFontSize(), right = ImGui::GetIO().DisplaySize.x;
+    Area place = s.window.free;
+    place.width = double(right) - place.left;  // with the column for the panel
+    ImGui::SetNextWindowPos(ImVec2(right - 0.5f * em, float(place.top) + 0.5f * em), ImGuiCond_Appearing,
+                            ImVec2(1, 0));
     ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0),
-                                        ImVec2(FLT_MAX, std::max(11 * em, float(free.height) - 2 * em)));
+                                        ImVec2(FLT_MAX, std::max(11 * em, float(place.height) - em)));
     if (ImGui::Begin(shown_name("Measure").c_str(), &s.window.panels.measure,
                      ImGuiWindowFlags_AlwaysAutoResize)) {
-        keep_within(free);
+        keep_within(place);
         ImGui::PushItemWidth(11 * em);
         content(c, s, meshes, now);
         ImGui::PopItemWidth();
         profile_.draw(view);
     }
     ImGui::End();
-}
-
-void MeasurePanel::show_scale_bar(Controls& c, const Session& s, const View& view) const {
-    const double pixels = 8 * double(ImGui::GetFontSize());
-    const auto bar = scale_bar(view, s.viewpoint.camera.target, survey_.scale, pixels);
-    if (!bar) return;
-    const std::string length = localized_numbers(number_text(bar->length)),
-                      unit = tr_in("unit", name_of(shown_unit(survey_.scale)));
-    draw_scale_bar(c, *bar, length + " " + unit, s.window.free);
 }
 
 Snapping MeasurePanel::snapping(const Session& s) const {
@@ -176,10 +168,6 @@ void MeasurePanel::take_clicks(Session& s, std::span<const PlacedMesh> meshes, c
     }
 }
 
-void MeasurePanel::remove_last_point() {
-    if (!next_.points.empty()) next_.points.pop_back();
-}
-
 void MeasurePanel::set_point(Session& s, double now) {
     if (under_)
         add(*under_);
@@ -199,6 +187,7 @@ void MeasurePanel::end() {
         {free_name(next_.measure), next_.measure, std::exchange(next_.points, {})});
     changed();
     select(survey_.measurements.size() - 1);
+    shows_last_ = true;
 }
 
 void MeasurePanel::restore(Session& s, const Survey& expected, const Survey& survey, double now) {
@@ -229,8 +218,8 @@ std::string MeasurePanel::free_name(Measure measure) const {
     }
 }
 
-std::vector<MeasurePanel::Drawn> MeasurePanel::drawn() const {
-    std::vector<Drawn> out;
+std::vector<DrawnMeasurement> MeasurePanel::drawn() const {
+    std::vector<DrawnMeasurement> out;
     for (std::size_t i = 0; i < survey_.measurements.size(); ++i) {
         const Measurement& m = survey_.measurements[i];
         const std::string text = m.measure == Measure::point ? "" : ": " + text_of(values_[i]);
@@ -324,18 +313,28 @@ void MeasurePanel::list(Controls& c) {
         ImGui::TextDisabled("%s", tr("no measurements yet"));
         return;
     }
+    constexpr std::size_t most_rows = 6;
+    const float em = ImGui::GetFontSize(), column = 10.7f * em;
+    float width = 0;
+    for (const Measured& value : values_)
+        width = std::max(width, ImGui::CalcTextSize(text_of(value).c_str()).x);
+    ImGui::BeginChild("##measurements", ImVec2(column + width + ImGui::GetStyle().ScrollbarSize,
+                                               ImGui::GetTextLineHeightWithSpacing() *
+                                                   float(std::min(most_rows, values_.size()))));
     for (std::size_t i = 0; i < survey_.measurements.size(); ++i) {
         const Measurement& m = survey_.measurements[i];
         ImGui::PushID(int(i));
         const std::string label = m.name.empty() ? tr("(no name)") : m.name;
         if (ImGui::Selectable((label + "##" + std::to_string(i)).c_str(), selected_ == i, 0,
-                              ImVec2(9.3f * ImGui::GetFontSize(), 0)))
+                              ImVec2(9.3f * em, 0)))
             select(i);
         c.note(label.c_str());
-        ImGui::SameLine(10.7f * ImGui::GetFontSize());
+        ImGui::SameLine(column);
         ImGui::TextUnformatted(text_of(values_[i]).c_str());
         ImGui::PopID();
     }
+    if (std::exchange(shows_last_, false)) ImGui::SetScrollHereY(1);
+    ImGui::EndChild();
 }
 
 void MeasurePanel::select(std::size_t measurement) {

@@ -49,7 +49,9 @@ class MeasurePanel {
     void set_point(Session& session, double now);
     /// Finishes a measurement with its current points, if there are enough.
     void end();
-    void remove_last_point();
+    void remove_last_point() {
+        if (!next_.points.empty()) next_.points.pop_back();
+    }
     bool unfinished() const { return !next_.points.empty(); }
     /// How often the file was read.
     int reads() const { return reads_; }
@@ -58,13 +60,8 @@ class MeasurePanel {
     void restore(Session& session, const Survey& expected, const Survey& survey, double now);
     /// The panel's controls. `meshes`: the visible meshes.
     void content(Controls& controls, Session& session, std::span<const PlacedMesh> meshes, double now);
-    struct Drawn {
-        Measurement measurement;
-        std::string label;
-        MeasureLook look;
-    };
     /// All measurements, with the unfinished one last.
-    std::vector<Drawn> drawn() const;
+    std::vector<DrawnMeasurement> drawn() const;
     const Eigen::Vector3d& up() const { return survey_.up; }  ///< in input coordinates
 
   private:
@@ -78,7 +75,6 @@ class MeasurePanel {
     void choice_of_measure(Controls& controls, bool keyboard);
     void under_pointer(Controls& controls) const;
     void scale_section(Controls& controls, bool keyboard);
-    void show_scale_bar(Controls& controls, const Session& session, const View& view) const;
     void list(Controls& controls);
     void selected_section(Controls& controls, Session& session, double now);
     void select(std::size_t measurement);
@@ -96,6 +92,7 @@ class MeasurePanel {
     bool to_vertices_ = false, scale_bar_ = true;
     std::optional<SurveyPoint> under_;
     std::optional<std::size_t> selected_;
+    bool shows_last_ = false;  ///< the list scrolls to its end
     ProfileChart profile_;
     std::array<char, 256> name_{};  ///< name of the selected measurement, as edited
     double known_length_ = 0;       ///< known length of the selected distance, to set the scale

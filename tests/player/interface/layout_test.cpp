@@ -39,6 +39,11 @@ TEST(Layout, NothingCoversThePictureAndNothingIsOutsideTheWindow) {
                 EXPECT_GT(l.free.width * l.free.height, 0.3 * width * height)
                     << "too little space for the picture";
                 EXPECT_EQ(l.strip.height > 0, photos && height > 24 * em);
+                panels.measure = true;
+                const Layout beside = layout_of(panels, width, height, em, photos);
+                const double column = l.free.width - beside.free.width;
+                EXPECT_TRUE(column == 0 || (column > 20 * em && column <= beside.free.width)) << column;
+                EXPECT_EQ(column > 0, l.free.width >= 52 * em);
             }
 }
 
