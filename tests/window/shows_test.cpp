@@ -299,6 +299,10 @@ TEST_F(WindowShows, AFieldHasALegendWithoutTheSidebar) {
     w.session.settings.field.range = ValueRange{-1, 5};
     w.frames();
     EXPECT_NE(shown_text().find("-1 0 5"), std::string::npos) << "the place of zero: " << shown_text();
+    w.session.settings.field.range = ValueRange{-1, 40};
+    w.session.settings.field.map = ColorMap::viridis;
+    w.frames();
+    EXPECT_NE(shown_text().find("-1 40 0"), std::string::npos) << "on its own line: " << shown_text();
 }
 
 TEST_F(WindowShows, PointsAndComparisonsAreInPerspective) {

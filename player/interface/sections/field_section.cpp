@@ -34,9 +34,34 @@ std::optional<double> value_under_pointer(const Renderer& renderer, const Scalar
     return value_at_pixel(renderer.scene(), field.values, triangle - 1, seen.view, at);
 }
 
+bool has_zero(const ValueRange& range) { return range.low < 0 && range.high > 0; }
+
 double place(double value, const FieldSettings& s, const ValueRange& range) {
     const auto scaled = [&](double v) { return s.logarithmic ? std::log(std::max(v, 1e-300)) : v; };
     return (scaled(value) - scaled(range.low)) / (scaled(range.high) - scaled(range.low));
+}
+
+/// The numbers at the ends of a legend and at 0. If 0 is so close to an end that the numbers would touch, it
+/// is on its own line.
+void legend_numbers(const FieldSettings& s, const ValueRange& range, float width) {
+    const std::string lowest = localized_numbers(value_text(range.low, range)),
+                      highest = localized_numbers(value_text(range.high, range));
+    const float left = ImGui::GetCursorPosX(), end = width - ImGui::CalcTextSize(highest.c_str()).x;
+    ImGui::TextUnformatted(lowest.c_str());
+    const auto show_highest = [&] {
+        ImGui::SameLine(left + end);
+        ImGui::TextUnformatted(highest.c_str());
+    };
+    if (!has_zero(range)) return show_highest();
+    const float digit = ImGui::CalcTextSize("0").x, zero = width * float(place(0, s, range)) - digit / 2;
+    const bool own_line = zero < ImGui::CalcTextSize(lowest.c_str()).x + digit || zero + 2 * digit > end;
+    if (own_line)
+        show_highest();
+    else
+        ImGui::SameLine();
+    ImGui::SetCursorPosX(left + std::clamp(zero, 0.0f, width - digit));
+    ImGui::TextUnformatted("0");
+    if (!own_line) show_highest();
 }
 
 /// The color map with the field's histogram above it, and a mark at the value under the pointer.
@@ -68,24 +93,17 @@ void legend(const ScalarField& field, const FieldSettings& s, std::optional<doub
         const float x = low.x + width * float(i) / float(s.isolines);
         list.AddLine(ImVec2(x, top), ImVec2(x, bottom), IM_COL32(0, 0, 0, 255));
     }
+    if (has_zero(range)) {  // a tick over the number 0
+        const float x = low.x + width * float(place(0, s, range));
+        list.AddLine(ImVec2(x, bottom - legend_height() / 3), ImVec2(x, bottom), IM_COL32_BLACK);
+    }
     if (value) {
         const float x = low.x + width * float(std::clamp(place(*value, s, range), 0.0, 1.0));
         list.AddLine(ImVec2(x, low.y), ImVec2(x, bottom), IM_COL32(255, 255, 255, 255), 2);
     }
     list.PopClipRect();
     ImGui::Dummy(ImVec2(width, histogram_height() + legend_height()));
-    const std::string lowest = localized_numbers(value_text(range.low, range)),
-                      highest = localized_numbers(value_text(range.high, range));
-    const float left = ImGui::GetCursorPosX(), zero = width * float(center),
-                end = width - ImGui::CalcTextSize(highest.c_str()).x, em = ImGui::GetFontSize();
-    ImGui::TextUnformatted(lowest.c_str());
-    if (range.low < 0 && range.high > 0 && map == ColorMap::coolwarm &&
-        zero > ImGui::CalcTextSize(lowest.c_str()).x + em && zero < end - em) {
-        ImGui::SameLine(left + zero - ImGui::CalcTextSize("0").x / 2);
-        ImGui::TextUnformatted("0");
-    }
-    ImGui::SameLine(left + end);
-    ImGui::TextUnformatted(highest.c_str());
+    legend_numbers(s, range, width);
 }
 
 void range_sliders(Controls& c, const ScalarField& field, FieldSettings& s) {
