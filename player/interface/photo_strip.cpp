@@ -141,10 +141,11 @@ void PhotoStrip::show(Controls& controls, Session& s, Renderer& renderer, const 
         if (clicked && !was_dragged) fly_to(s, photo, p, now);
         if (!ImGui::IsItemVisible()) continue;
         thumbnail(renderer, photo, low, high);
-        const bool pointed_at = ImGui::IsItemHovered() | mark_if_navigated();
+        const bool pointed_at = ImGui::IsItemHovered() | mark_if_navigated(),
+                   stands_there = !s.viewpoint.orthographic && is_at(scene, photo, s.viewpoint.camera.eye);
         const PhotoState state = {.blended = renderer.planner().uses(photo),
                                   .excluded = !std::ranges::binary_search(s.photos, photo),
-                                  .viewed_from = is_at(scene, photo, s.viewpoint.camera.eye),
+                                  .viewed_from = stands_there,
                                   .shows_point = shows_listed_point(s.photo_list, photo),
                                   .pointed_at = pointed_at};
         const FalseColor c = false_color(photo);
