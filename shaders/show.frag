@@ -151,8 +151,9 @@ void main() {
         if (compare == compare_difference) color = photo.a > 0.0 ? abs(color - taken) * 2.0 : vec3(0.0);
         if (!in_photo) color = encode(behind);
         seen = 1.0;
-        bool divider = compare == compare_side_by_side ? abs(int(gl_FragCoord.x) - size.x / 2) < 2
-                                     : compare == compare_swipe && abs(float(at.x) - swipe * float(size.x)) < 1.5;
+        // One pixel, because the window draws a wider line over it.
+        bool divider = compare == compare_side_by_side ? int(gl_FragCoord.x) == size.x / 2
+                                     : compare == compare_swipe && at.x == int(swipe * float(size.x));
         if (divider) color = vec3(1.0);
     }
 #ifdef IMAGE_SETS

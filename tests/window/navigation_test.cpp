@@ -23,6 +23,18 @@ class WindowNavigation : public WindowTest {
         ADD_FAILURE() << "no photo is marked";
         return {};
     }
+    /// The middle of a narrow white line as high as the free area; -1 if there is none.
+    static double line_over_picture(const HeadlessWindow& w) {
+        const Area& free = w.session.window.free;
+        const ImVector<ImDrawVert>& v = ImGui::GetDrawData()->CmdLists[0]->VtxBuffer;
+        for (int i = 0; i + 2 < v.Size; ++i) {
+            const ImVec2 low = v[i].pos, high = v[i + 2].pos;
+            if (v[i].col == IM_COL32_WHITE && high.x - low.x > 1 && high.x - low.x < 6 &&
+                double(high.y - low.y) >= 0.99 * free.height)
+                return double(low.x + high.x) / 2;
+        }
+        return -1;
+    }
     /// The percentage in the tooltip.
     static int match_told() {
         const std::string text = shown_text(), before = "matches this view to ";
@@ -141,6 +153,10 @@ TEST_F(WindowNavigation, AViewReadFromTextIsThatOfThePhoto) {
     w.key(GLFW_KEY_V, control);
     w.wait(1);
     told_where_one_stands(w);
+    w.session.viewpoint.orthographic = true;
+    w.frames(3);
+    EXPECT_NE(shown_text().find("matches this view"), std::string::npos) << shown_text();
+    EXPECT_EQ(shown_text().find("you are here"), std::string::npos) << "an orthographic view is from nowhere";
 }
 
 TEST_F(WindowNavigation, AComparedPhotoIsNotBlendedUntilTheComparisonEnds) {
@@ -148,6 +164,16 @@ TEST_F(WindowNavigation, AComparedPhotoIsNotBlendedUntilTheComparisonEnds) {
     w.key(GLFW_KEY_C);
     w.wait(1);
     EXPECT_NE(shown_text().find("model without this photo"), std::string::npos) << shown_text();
+    const std::size_t photo = w.session.settings.compare_photo;
+    EXPECT_NE(shown_text().find("photo " + std::to_string(photo + 1) + " of 5"), std::string::npos)
+        << shown_text();
+    w.session.settings.swipe = 0.3;
+    w.frames();
+    EXPECT_NEAR(line_over_picture(w), 0.3 * 900, 2) << "its edges are sharp while the picture is coarse";
+    w.key(GLFW_KEY_TAB);
+    EXPECT_NE(shown_text().find(w.scene().photos[photo].name), std::string::npos)
+        << "as in the list of photos";
+    w.key(GLFW_KEY_TAB);
     EXPECT_EQ(told_where_one_stands(w).find("blended"), std::string::npos) << shown_text();
     w.key(GLFW_KEY_C);
     EXPECT_NE(told_where_one_stands(w).find("blended"), std::string::npos) << shown_text();

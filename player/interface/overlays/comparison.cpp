@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "base/text/formatted.h"
@@ -28,6 +29,21 @@ void plate(Controls& c, float x, float y, float share, const std::string& text) 
                        ImVec2(high.x + 0.5f * em, high.y + 0.25f * em), IM_COL32(20, 23, 28, 220), 0.3f * em);
     c.note("Legend", low, high);
     list.AddText(low, IM_COL32_WHITE, text.c_str());
+}
+
+/// A crisp line over the one in the picture, which is blurred while the picture moves.
+void dividing_line(float x, const Area& free) {
+    const float top = float(free.top), bottom = top + float(free.height);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled(ImVec2(x - 2.5f, top), ImVec2(x + 2.5f, bottom), IM_COL32(20, 23, 28, 160));
+    list.AddRectFilled(ImVec2(x - 1.5f, top), ImVec2(x + 1.5f, bottom), IM_COL32_WHITE);
+}
+
+/// Experts see a photo's file name, as in the list of photos; visitors see its number.
+std::string photo_text(const Session& s, const PlanScene& scene) {
+    const std::uint32_t photo = s.settings.compare_photo;
+    if (s.window.panels.expert) return scene.photos[photo].name;
+    return formatted(tr_in("photo", "%zu of %zu"), std::size_t(photo) + 1, scene.photos.size());
 }
 
 /// A handle around the line, as high as the free area.
@@ -106,12 +122,13 @@ double unseen_share(const PlanScene& scene, std::span<const std::uint32_t> photo
 void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& frame) {
     const RenderSettings& r = s.settings;
     if (r.compare == Compare::nothing || r.compare_photo >= scene.photos.size()) return;
-    const std::string photo = formatted(tr("photo %s"), scene.photos[r.compare_photo].name);
+    const std::string photo = photo_text(s, scene);
     const float em = ImGui::GetFontSize(), y = float(s.window.free.top) + em;
     const auto both = [&](double line) {
-        const float x = float(line * frame.width);
+        const float x = std::round(float(line * frame.width)) + 0.5f;
+        dividing_line(x, s.window.free);
         plate(c, x - 1.5f * em, y, 1, tr("model without this photo"));
-        plate(c, x + 1.5f * em, y, 0, photo);
+        plate(c, x + 1.5f * em, y, 0, formatted(tr("photo %s"), photo.c_str()));
     };
     switch (r.compare) {
         case Compare::side_by_side:
@@ -121,8 +138,7 @@ void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& fra
             return drag_swipe(c, s, frame);
         case Compare::difference:
             return plate(c, float(s.window.free.left + s.window.free.width / 2), y, 0.5f,
-                         formatted(tr("difference from photo %s, doubled; black: none"),
-                                   scene.photos[r.compare_photo].name));
+                         formatted(tr("difference from photo %s, doubled; black: none"), photo.c_str()));
         default:
             return;
     }
