@@ -10,7 +10,7 @@ namespace {
 // Sizes of the areas, in multiples of the text height.
 constexpr double menu_height = 1.3, bar_height = 2.9, strip_height = 5.6, sidebar_width = 23,
                  measure_width = 26;
-constexpr double least_height_with_strip = 24;
+constexpr double least_height_with_strip = 24, least_width_beside_measure = 40;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ Layout layout_of(const Panels& panels, int width, int height, double em, bool ph
         out.sidebar = {0, top, left, std::max(1.0, bottom - top)};
     }
     const double beside = std::round(right - measure_width * em);
-    if (panels.measure && beside - left >= width - beside) right = beside;
+    if (panels.measure && beside - left >= least_width_beside_measure * em) right = beside;
     out.free = {left, top, std::max(1.0, right - left), std::max(1.0, bottom - top)};
     return out;
 }
