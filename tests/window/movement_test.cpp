@@ -1,5 +1,5 @@
 // Movements and auto-rotation end where there are no photos; tilted views are leveled. Without a movement, a
-// sharp picture stays sharp.
+// sharp picture stays sharp. A finger drags handles in the picture instead of moving the view.
 #include <fstream>
 #include <set>
 
@@ -12,6 +12,8 @@ using namespace vantage;
 namespace {
 
 class OrbitLimits : public WindowTest {};
+
+class WindowTouch : public WindowTest {};
 
 class WindowStillPicture : public WindowTest {
   protected:
@@ -247,4 +249,29 @@ TEST_F(WindowStillPicture, MovesBesideThePanelsWithTheNextFlight) {
     EXPECT_NEAR(w.view().intrinsics.cx, before, 0.4 * (beside - before)) << "the picture jumps";
     w.wait(1);
     EXPECT_EQ(w.view().intrinsics.cx, beside);
+}
+
+TEST_F(WindowTouch, AFingerDragsTheLampAndTheSwipe) {
+    using What = TouchEvent::What;
+    HeadlessWindow w(package_of(WindowScene::tiny));
+    const auto drag = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& by) {
+        w.touch(What::begin, 1, from.x(), from.y()), w.frames();
+        for (int i = 1; i <= 10; ++i) {
+            const Eigen::Vector2d at = from + i * by / 10;
+            w.touch(What::move, 1, at.x(), at.y()), w.frames();
+        }
+        w.touch(What::end, 1, from.x() + by.x(), from.y() + by.y()), w.frames(3);
+    };
+    w.press("Bar Light");
+    const Eigen::Vector3d eye = w.session.viewpoint.camera.eye;
+    const Area& free = w.session.window.free;
+    const Eigen::Vector2d middle(free.left + free.width / 2, free.top + free.height / 2),
+        lamp = w.place("Lamp");
+    drag(lamp, {2 * (middle - lamp).x(), 0});
+    EXPECT_NEAR(w.session.settings.light.azimuth, 45, 1);
+    EXPECT_NEAR(w.session.settings.light.elevation, 15, 1);
+    EXPECT_EQ(w.session.viewpoint.camera.eye, eye) << "the finger does not orbit";
+    w.press("Bar Compare"), w.wait(1);
+    drag(w.place("Swipe", 0.5), {180, 0});
+    EXPECT_NEAR(w.session.settings.swipe, 0.7, 0.01);
 }
