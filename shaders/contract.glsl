@@ -46,6 +46,7 @@ const int depth_tiles_unit = 2;
 const int best_so_far_unit = 4;  // blend
 const int first_sums_unit = 5;
 const int color_map_unit = 4;  // surface
+const int shadows_unit = 5;
 const int sums_unit = 4;  // resolve
 const int surface_unit = 5;
 const int before_unit = 6;
@@ -102,6 +103,8 @@ const int clip_from_eye_uniform = 5;
 const int surface_eye_uniform = 7;
 const int lamp_uniform = 9;
 const int camera_rows_uniform = 11;
+const int shadows_from_origin_uniform = 16;
+const int shadow_width_uniform = 17;
 const int pass_slots_uniform = 16;  // an array, PASS_PHOTOS long
 const int nearness_uniform = 24;    // surface, for transparent surfaces
 const int frame_width_uniform = 25;
@@ -271,6 +274,7 @@ const uint light_normals = 3u;
 const float light_ambient = 0.08f;
 const float light_diffuse = 0.8f;
 const float light_specular = 0.12f;
+const float light_in_shadow = 0.3f;  // fraction of the raking light that remains, so that relief shows there too
 const float light_gray = 0.3f;  // brightness of a surface that faces the viewer, in linear light
 
 // Transparent surfaces.

@@ -57,9 +57,22 @@ layout(location = lamp_uniform) uniform vec4 lamp[EYES];      // direction to th
                                                               // faces the viewer
 layout(location = light_uniform) uniform uint light_kind;     // light_lamp, light_raking or light_normals
 layout(location = camera_rows_uniform) uniform mat3 camera[EYES];  // rows in the scene's axes: right, down, forward
+layout(binding = shadows_unit) uniform sampler2DShadow shadows;      // depths from the raking light, greater nearer to it
+layout(location = shadows_from_origin_uniform) uniform mat4 shadows_from_origin;
+layout(location = shadow_width_uniform) uniform float shadow_width;  // distance within which a surface does not shade itself, scene units
+
+// The fraction of the raking light that other parts of the mesh let through, filtered over a few texels
+// (Reeves et al. 1987). The point is shifted along its normal, so that a surface does not
+// shade itself, however low the light is.
+float unshaded(vec3 n) {
+    vec3 at = (shadows_from_origin * vec4(surface_position + shadow_width * n, 1.0)).xyz;
+    vec2 texel = 0.75 / vec2(textureSize(shadows, 0));
+    return 0.25 * (texture(shadows, at + vec3(texel.x, texel.y, 0.0)) + texture(shadows, at + vec3(-texel.x, texel.y, 0.0)) +
+                   texture(shadows, at + vec3(texel.x, -texel.y, 0.0)) + texture(shadows, at - vec3(texel.x, texel.y, 0.0)));
+}
 
 // The brightness of a matte surface according to Phong's model (1975), relative to a surface that faces the
-// viewer; or, as a color, the normal in the viewer's axes (right, up, toward the viewer).
+// viewer, and with cast shadows; or, as a color, the normal in the viewer's axes (right, up, toward the viewer).
 vec3 lit(vec3 n, vec3 v) {
     if (dot(n, v) < 0.0) n = -n;
     if (light_kind == light_normals) {
@@ -68,8 +81,9 @@ vec3 lit(vec3 n, vec3 v) {
     }
     vec3 l = light_kind == light_lamp ? v : lamp[eye_number].xyz;
     float facing = max(dot(n, l), 0.0);
+    float shade = light_kind == light_raking && facing > 0.0 ? mix(light_in_shadow, 1.0, unshaded(n)) : 1.0;
     float glint = facing > 0.0 ? pow(max(dot(reflect(-l, n), v), 0.0), 24.0) : 0.0;
-    return vec3(min((light_ambient + light_diffuse * facing + light_specular * glint) * lamp[eye_number].w, 3.0));  // white relative to gray
+    return vec3(min((light_ambient + shade * (light_diffuse * facing + light_specular * glint)) * lamp[eye_number].w, 3.0));  // white relative to gray
 }
 #endif
 

@@ -46,11 +46,11 @@ bool shows_transparent(const FrameResources& r, const RenderSettings& settings, 
 
 /// Ignores temporary content, since reallocating targets evicts tiles. Both eyes are drawn at once only if
 /// photos are blended by triangle: otherwise the redrawn model would have to match the surface's depth
-/// exactly.
+/// exactly. In raking light, each eye has its own shadow map.
 EyeSurfaces eye_surfaces(const FrameResources& r, const RenderSettings& settings, std::size_t eyes) {
     const bool transparent = r.transparent && settings.transparency != Transparency::off;
     if (eyes < 2 || transparent || !r.parts.mesh) return EyeSurfaces::in_turn;
-    const bool can = r.layers_by_vertex && r.photos.by_triangle(settings);
+    const bool can = r.layers_by_vertex && r.photos.by_triangle(settings) && !casts_shadows(settings);
     switch (r.trials.eye_surfaces) {
         case EyeSurfaces::automatic:
             return r.software ? EyeSurfaces::overlapped : can ? EyeSurfaces::at_once : EyeSurfaces::in_turn;

@@ -29,6 +29,7 @@ bool ClusterDraws::show_values(std::span<const float> values) {
 }
 
 void ClusterDraws::update() {
+    ++updates_;
     write_hidden(model_, *scene_);
     coarse_ = {};
 }

@@ -24,6 +24,8 @@ class ClusterDraws {
     bool show_values(std::span<const float> values);
     /// Draws the scene's triangles as they are now, and no coarse mesh until use_coarse().
     void update();
+    /// Number of calls of update().
+    std::uint32_t updates() const { return updates_; }
     /// Reduced frames may be drawn with this mesh from then on.
     void use_coarse(CoarseMesh mesh);
     const CoarseMesh& coarse() const { return coarse_; }
@@ -52,6 +54,7 @@ class ClusterDraws {
     Model model_;
     CoarseMesh coarse_;
     FrameRing ring_;
+    std::uint32_t updates_ = 0;
 };
 
 }  // namespace vantage

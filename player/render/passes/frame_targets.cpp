@@ -1,6 +1,8 @@
 #include "player/render/passes/frame_targets.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <string>
 #include <utility>
 
@@ -45,6 +47,11 @@ SurfaceTargets layer_of(const SurfaceTargets& layers, int layer) {
 
 FrameSize fine_of(FrameSize frame, int fine) { return {frame.width * fine, frame.height * fine}; }
 
+/// Side of a square map about as fine as a frame.
+int shadow_side_of(FrameSize fine) {
+    return int(std::bit_floor(unsigned(std::max({fine.width, fine.height, 1}))));
+}
+
 gl::Texture make_sums(FrameSize size) {
     return gl::make_texture_2d("frame sums", GL_RGBA32F, size.width, size.height);
 }
@@ -86,6 +93,18 @@ void FrameTargets::add_before() {
     before_target = gl::make_framebuffer("frame before", std::array{before.id()}, 0);
 }
 
+int FrameTargets::shadow_side() const { return shadow_side_of(fine_of(allocated, fine)); }
+
+int FrameTargets::used_shadow_side() const { return shadow_side_of(fine_size()); }
+
+void FrameTargets::add_shadows() {
+    if (shadows) return;
+    shadows = gl::make_texture_2d("shadow map", depth_format, shadow_side(), shadow_side(), GL_LINEAR);
+    glTextureParameteri(shadows.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTextureParameteri(shadows.id(), GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
+    shadows_target = gl::make_framebuffer("shadow map", {}, shadows.id());
+}
+
 FrameTargets make_frame_targets(FrameSize allocated, std::size_t eyes, std::size_t surfaces, int fine) {
     const auto [width, height] = fine_of(allocated, fine);
     GLint most = 0;
@@ -112,8 +131,9 @@ FrameTargets make_frame_targets(FrameSize allocated, std::size_t eyes, std::size
 
 std::uint64_t FrameTargets::bytes(FrameSize allocated, std::size_t eyes, std::size_t surfaces, int fine) {
     const auto [width, height] = fine_of(allocated, fine);
+    const auto shadows = std::uint64_t(shadow_side_of({width, height}));
     return std::uint64_t(width) * std::uint64_t(height) * (surfaces * (4 + 8 + 4) + 8 + 32) +
-           eyes * PictureSamples::bytes(allocated.width, allocated.height);
+           4 * shadows * shadows + eyes * PictureSamples::bytes(allocated.width, allocated.height);
 }
 
 }  // namespace vantage

@@ -29,6 +29,8 @@ struct FrameTargets {
     gl::Texture sums[2], before;           ///< all but the first are allocated on demand
     std::vector<std::array<gl::Framebuffer, 2>> sums_targets;  ///< one per surface, which provides the depth
     gl::Framebuffer before_target;
+    gl::Texture shadows;  ///< depths from the light, square; allocated on demand
+    gl::Framebuffer shadows_target;
     std::vector<PictureSamples> samples;  ///< per eye
     /// The coefficients a and b of the last painted eye's depth values, a + b / z. Not for orthographic
     /// views.
@@ -36,9 +38,13 @@ struct FrameTargets {
 
     FrameSize size() const { return {width, height}; }
     FrameSize fine_size() const { return {width * fine, height * fine}; }
-    /// Allocate optional targets: the second sums, and `before`.
+    /// Allocate optional targets.
     void add_second_sums();
     void add_before();
+    void add_shadows();
+    /// Side of `shadows`, and of the part that a frame of the current size uses, texels.
+    int shadow_side() const;
+    int used_shadow_side() const;
     /// The surface of the last painted eye. The targets must exist.
     const SurfaceTargets& surface() const { return surfaces[surface_number]; }
     const gl::Framebuffer& sums_target(int sums) const {

@@ -36,16 +36,30 @@ void end_sections(std::span<const SectionPlane> sections) {
 }
 
 /// Programs are compiled for a fixed number of section planes.
-std::string section_define(const RenderSettings& settings) {
-    return "SECTION " + std::to_string(settings.sections.size());
+std::string section_define(std::span<const SectionPlane> sections) {
+    return "SECTION " + std::to_string(sections.size());
+}
+
+void write_nearest_depths() {
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glDepthFunc(GL_GREATER);
+}
+
+/// The direction to the raking light, from the origin's axes.
+Eigen::Vector3d to_light(const DrawnView& eye) {
+    const LightSettings& s = eye.settings.light;
+    const double a = s.azimuth * std::numbers::pi / 180, e = s.elevation * std::numbers::pi / 180;
+    return eye.view.cam_from_origin.R.transpose() *
+           Eigen::Vector3d(std::cos(e) * std::cos(a), -std::cos(e) * std::sin(a), -std::sin(e));
 }
 
 void set_light(std::span<const DrawnView* const> eyes) {
     const LightSettings& s = eyes.front()->settings.light;
-    const double a = s.azimuth * std::numbers::pi / 180, e = s.elevation * std::numbers::pi / 180;
-    const Eigen::Vector3d in_camera(std::cos(e) * std::cos(a), -std::cos(e) * std::sin(a), -std::sin(e));
     const bool raking = s.light == Light::raking;
-    const auto facing = raking ? float(std::sin(e)) : 1.0f;
+    const auto facing = raking ? float(std::sin(s.elevation * std::numbers::pi / 180)) : 1.0f;
     // If a surface faces the viewer, the light's mirror direction and the viewer's direction form the same
     // angle as the light and the normal.
     const float glint = std::pow(std::max(raking ? facing : 1.0f, 0.0f), 24.0f);
@@ -53,9 +67,8 @@ void set_light(std::span<const DrawnView* const> eyes) {
         1 / (shader::light_ambient + shader::light_diffuse * facing + shader::light_specular * glint);
     glUniform1ui(shader::light_uniform, GLuint(s.light));
     for (int i = 0; const DrawnView* eye : eyes) {
-        const Eigen::Matrix3d& R = eye->view.cam_from_origin.R;
-        const Eigen::Vector3f to = (R.transpose() * in_camera).cast<float>();
-        const Eigen::Matrix3f camera = R.cast<float>();
+        const Eigen::Vector3f to = to_light(*eye).cast<float>();
+        const Eigen::Matrix3f camera = eye->view.cam_from_origin.R.cast<float>();
         glUniform4f(shader::lamp_uniform + i, to.x(), to.y(), to.z(), scale);
         glUniformMatrix3fv(shader::camera_rows_uniform + i, 1, GL_FALSE, camera.data());
         ++i;
@@ -75,6 +88,8 @@ std::vector<std::string> asked_defines(const RenderSettings& settings, const Fie
     return out;
 }
 
+bool casts_shadows(const RenderSettings& settings) { return settings.light.light == Light::raking; }
+
 SurfacePass::SurfacePass(const PackageReader& package, const PlanScene& scene, ClusterDraws& clusters,
                          FieldValues& fields)
     : package_(&package),
@@ -89,7 +104,8 @@ std::vector<std::string> SurfacePass::own_defines() const {
     return defines;
 }
 
-void SurfacePass::draw(const DrawnView& drawn, const FrameTargets& targets) {
+void SurfacePass::draw(const DrawnView& drawn, FrameTargets& targets) {
+    if (casts_shadows(drawn.settings)) draw_shadows(drawn, targets);
     draw_eyes(std::array{&drawn}, targets.surface().target, targets.fine_size());
 }
 
@@ -107,11 +123,7 @@ void SurfacePass::draw_eyes(DrawnEyes eyes, const gl::Framebuffer& target, Frame
     glClearNamedFramebufferuiv(target.id(), GL_COLOR, 1, no_triangle.data());
     glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
     bind_target(target.id(), frame);
-    glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_DEPTH_TEST);
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    glDepthFunc(GL_GREATER);
+    write_nearest_depths();
     glUseProgram(surface_program(settings, eyes.size()).id());
     set_surface(eyes);
     const std::span<const std::uint32_t> clusters = clusters_of(eyes);
@@ -122,6 +134,40 @@ void SurfacePass::draw_eyes(DrawnEyes eyes, const gl::Framebuffer& target, Frame
         clusters_->draw(clusters, {}, eyes.size());
     clusters_->end();
     end_sections(settings.sections);
+}
+
+/// Draws the shadow map, unless it already holds the same; in motion, from the coarse mesh, since triangles
+/// take most of the time.
+void SurfacePass::draw_shadows(const DrawnView& eye, FrameTargets& targets) {
+    const std::vector<SectionPlane>& sections = eye.settings.sections;
+    const bool coarse = eye.settings.reduced && !clusters_->coarse().indices.empty();
+    const bool kept = bool(targets.shadows);
+    targets.add_shadows();
+    const int side = targets.used_shadow_side();
+    const bool aimed =
+        shadows_.aim(*scene_, {view_from_light(*scene_, eye.plan.in_view().opaque, to_light(eye), side),
+                               sections, coarse, clusters_->updates()});
+    shadows_from_origin_ = shadows_.texture_from_origin(targets);
+    shadow_texture_ = targets.shadows.id();
+    shadow_width_ = 2 * shadows_.texel() + (coarse ? clusters_->coarse().error : 0);
+    if (kept && !aimed) return;
+    const float farthest = 0;
+    bind_target(targets.shadows_target.id(), {side, side});
+    glScissor(0, 0, side, side);
+    glDepthMask(GL_TRUE);
+    glClearNamedFramebufferfv(targets.shadows_target.id(), GL_DEPTH, 0, &farthest);
+    write_nearest_depths();
+    glUseProgram(shadow_program(sections).id());
+    glUniformMatrix4fv(shader::clip_from_eye_uniform, 1, GL_FALSE, shadows_.clip_from_origin().data());
+    set_sections(sections);
+    clusters_->begin();
+    if (coarse)
+        clusters_->draw_coarse({}, 1);
+    else
+        clusters_->draw_mesh(shadows_.casters(), {});
+    clusters_->end();
+    end_sections(sections);
+    glScissor(0, 0, targets.fine_size().width, targets.fine_size().height);
 }
 
 /// The clusters that are in view of at least one eye, in ascending order. Valid until the next call.
@@ -143,6 +189,11 @@ void SurfacePass::set_surface(DrawnEyes eyes) {
     }
     const RenderSettings& settings = eyes.front()->settings;
     if (settings.light.light != Light::photos) set_light(eyes);
+    if (casts_shadows(settings)) {
+        glUniformMatrix4fv(shader::shadows_from_origin_uniform, 1, GL_FALSE, shadows_from_origin_.data());
+        glUniform1f(shader::shadow_width_uniform, float(shadow_width_));
+        glBindTextureUnit(shader::shadows_unit, shadow_texture_);
+    }
     if (fields_->shows(settings)) fields_->set(settings.field);
     set_sections(settings.sections);
 }
@@ -175,7 +226,7 @@ std::size_t SurfacePass::draw_transparent(const DrawnView& drawn, const Transpar
 const gl::Program& SurfacePass::transparent_program(const RenderSettings& settings, bool lists) {
     std::vector<std::string> asked = asked_defines(settings, *fields_);
     if (lists) asked.emplace_back("FRAGMENT_LISTS");
-    if (!settings.sections.empty()) asked.push_back(section_define(settings));
+    if (!settings.sections.empty()) asked.push_back(section_define(settings.sections));
     gl::Program& program = transparent_programs_[asked];
     if (program) return program;
     std::vector<std::string> defines = own_defines();
@@ -185,10 +236,19 @@ const gl::Program& SurfacePass::transparent_program(const RenderSettings& settin
     return program = make_surface_program(defines);
 }
 
+const gl::Program& SurfacePass::shadow_program(std::span<const SectionPlane> sections) {
+    gl::Program& program = shadow_programs_[sections.size()];
+    if (program) return program;
+    std::vector<std::string> defines{"FLAT"};
+    if (!sections.empty()) defines.push_back(section_define(sections));
+    return program = gl::make_program(
+               "shadow", {{GL_VERTEX_SHADER, "surface.vert"}, {GL_FRAGMENT_SHADER, "shadow.frag"}}, defines);
+}
+
 const gl::Program& SurfacePass::surface_program(const RenderSettings& settings, std::size_t eyes) {
     std::vector<std::string> asked = asked_defines(settings, *fields_);
     if (settings.reduced && asked.empty()) asked.emplace_back("FLAT");
-    if (!settings.sections.empty()) asked.push_back(section_define(settings));
+    if (!settings.sections.empty()) asked.push_back(section_define(settings.sections));
     if (eyes == 2) asked.emplace_back("EYES 2");
     if (asked.empty()) return plain_program_;
     gl::Program& program = other_programs_[asked];

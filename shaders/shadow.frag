@@ -1,0 +1,2 @@
+// Draws depths only.
+void main() {}
