@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/text/formatted.h"
 #include "base/text/translation.h"
 #include "player/interface/docked.h"
 #include "player/interface/keyboard_navigation.h"
@@ -160,8 +161,11 @@ void PhotoStrip::explain(const PlanScene& scene, std::uint32_t photo, const Phot
     const package::PhotoRecord& p = scene.photos[photo];
     const std::string set = scene.image_sets.size() > 1 ? scene.image_sets[p.image_set].name + ", " : "",
                       is = photo_state_text(state);
-    ImGui::SetTooltip(tr("%s, %s%u × %u\nmatches this view to %.0f %%%s"), p.name, set.c_str(), p.width,
-                      p.height, 100 * agreements_[photo], is.empty() ? "" : ("\n" + is).c_str());
+    std::string text = formatted("%s, %s%u × %u", p.name, set.c_str(), p.width, p.height);
+    if (!state.viewed_from)
+        text += "\n" + formatted(tr("matches this view to %.0f %%"), 100 * agreements_[photo]);
+    if (!is.empty()) text += "\n" + is;
+    ImGui::SetTooltip("%s", text.c_str());
 }
 
 }  // namespace vantage

@@ -279,7 +279,7 @@ void ShownScene::tell(const View& view, double now) {
     double room = s.window.free.height;
     if (s.window.panels.story_editor)
         room = story_editor_.show(controls_, scene_.active, s, view, {hit_surface, anything}, now);
-    if (!s.window.panels.story) return;
+    if (!s.window.panels.story || s.settings.compare != Compare::nothing) return;  // would cover the photo
     if (scene_.active.any() || (!scene_.active.trouble.empty() && !s.window.kiosk))
         story_panel(controls_, scene_.active, s, room, now);
     if (picture_.in_parts()) return;

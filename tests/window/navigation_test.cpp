@@ -136,13 +136,16 @@ TEST_F(WindowNavigation, TheStripSaysHowWellAPhotoMatchesThePresentView) {
     w.click();
     w.wait(2);
     EXPECT_NE(shown_text().find("you are here"), std::string::npos) << shown_text();
-    const std::vector<double> matches = agreements(w.scene(), w.view());
-    EXPECT_NEAR(match_told(), 100 * *std::ranges::max_element(matches), 0.51) << shown_text();
-    EXPECT_GT(match_told(), before);
+    EXPECT_EQ(match_told(), -1) << "of its own view, a photo may show less than the window";
+    std::vector<double> matches = agreements(w.scene(), w.view());
+    std::ranges::sort(matches, std::ranges::greater());
     w.point_at({150, 300}), w.frames(3);
     w.point_at(w.place("Photo 1")), w.frames(3);
     EXPECT_NE(shown_text().find("you are here"), std::string::npos)
         << "sorted, and scrolled to the beginning";
+    w.point_at(w.place("Photo 2")), w.frames(3);
+    EXPECT_NEAR(match_told(), 100 * matches[1], 0.51) << shown_text();
+    EXPECT_GT(match_told(), before);
 }
 
 TEST_F(WindowNavigation, AViewReadFromTextIsThatOfThePhoto) {
@@ -165,8 +168,7 @@ TEST_F(WindowNavigation, AComparedPhotoIsNotBlendedUntilTheComparisonEnds) {
     w.wait(1);
     EXPECT_NE(shown_text().find("model without this photo"), std::string::npos) << shown_text();
     const std::size_t photo = w.session.settings.compare_photo;
-    EXPECT_NE(shown_text().find("photo " + std::to_string(photo + 1) + " of 5"), std::string::npos)
-        << shown_text();
+    EXPECT_EQ(shown_text().find(w.scene().photos[photo].name), std::string::npos) << shown_text();
     w.session.settings.swipe = 0.3;
     w.frames();
     EXPECT_NEAR(line_over_picture(w), 0.3 * 900, 2) << "its edges are sharp while the picture is coarse";

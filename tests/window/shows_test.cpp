@@ -133,6 +133,8 @@ TEST_F(WindowShows, AComparisonEndsWhenTheViewLeavesThePhoto) {
     EXPECT_EQ(compare, Compare::side_by_side) << "the list flies to the photo";
     w.key(GLFW_KEY_N), w.wait(1);
     EXPECT_EQ(compare, Compare::side_by_side) << "with the next photo";
+    w.key(GLFW_KEY_U), w.frames(3);
+    EXPECT_EQ(compare, Compare::nothing);
 }
 
 TEST_F(WindowShows, AComparisonReadsNothingAgain) {

@@ -39,13 +39,6 @@ void dividing_line(float x, const Area& free) {
     list.AddRectFilled(ImVec2(x - 1.5f, top), ImVec2(x + 1.5f, bottom), IM_COL32_WHITE);
 }
 
-/// Experts see a photo's file name, as in the list of photos; visitors see its number.
-std::string photo_text(const Session& s, const PlanScene& scene) {
-    const std::uint32_t photo = s.settings.compare_photo;
-    if (s.window.panels.expert) return scene.photos[photo].name;
-    return formatted(tr_in("photo", "%zu of %zu"), std::size_t(photo) + 1, scene.photos.size());
-}
-
 /// A handle around the line, as high as the free area.
 void drag_swipe(Controls& c, Session& s, const Area& frame) {
     const float em = ImGui::GetFontSize(), x = float(frame.width * s.settings.swipe),
@@ -122,13 +115,15 @@ double unseen_share(const PlanScene& scene, std::span<const std::uint32_t> photo
 void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& frame) {
     const RenderSettings& r = s.settings;
     if (r.compare == Compare::nothing || r.compare_photo >= scene.photos.size()) return;
-    const std::string photo = photo_text(s, scene);
+    const char* const photo = scene.photos[r.compare_photo].name;
     const float em = ImGui::GetFontSize(), y = float(s.window.free.top) + em;
     const auto both = [&](double line) {
         const float x = std::round(float(line * frame.width)) + 0.5f;
         dividing_line(x, s.window.free);
         plate(c, x - 1.5f * em, y, 1, tr("model without this photo"));
-        plate(c, x + 1.5f * em, y, 0, formatted(tr("photo %s"), photo.c_str()));
+        // File names are for experts; the strip marks the photo.
+        plate(c, x + 1.5f * em, y, 0,
+              s.window.panels.expert ? formatted(tr("photo %s"), photo) : std::string(tr("photo")));
     };
     switch (r.compare) {
         case Compare::side_by_side:
@@ -138,7 +133,7 @@ void comparison(Controls& c, Session& s, const PlanScene& scene, const Area& fra
             return drag_swipe(c, s, frame);
         case Compare::difference:
             return plate(c, float(s.window.free.left + s.window.free.width / 2), y, 0.5f,
-                         formatted(tr("difference from photo %s, doubled; black: none"), photo.c_str()));
+                         formatted(tr("difference from photo %s, doubled; black: none"), photo));
         default:
             return;
     }
@@ -159,10 +154,12 @@ void toggle_comparison(Session& s, const PlanScene& scene, const View& view, dou
 void end_comparison_off_photo(Session& s, const PlanScene& scene, double now) {
     constexpr double farthest = 0.01;  // fraction of the distance to the target
     const std::uint32_t photo = s.settings.compare_photo;
-    const Navigation& camera = s.viewpoint.camera;
-    if (s.settings.compare == Compare::nothing || s.viewpoint.flight || photo >= scene.poses.size() ||
-        (scene.poses[photo].center() - camera.eye).norm() < farthest * (camera.target - camera.eye).norm())
-        return;
+    if (s.settings.compare == Compare::nothing || photo >= scene.poses.size()) return;
+    const auto& flight = s.viewpoint.flight;
+    const bool flies_on = flight && (flight->along || flight->repeats || flight->stops.empty());
+    const Navigation& camera = flight && !flies_on ? flight->stops.back() : s.viewpoint.camera;
+    const double away = (scene.poses[photo].center() - camera.eye).norm();
+    if (!flies_on && away < farthest * (camera.target - camera.eye).norm()) return;
     s.settings.compare = Compare::nothing;
     say(s.message, tr("The comparison has ended, because the view has left the photo"), now);
 }
