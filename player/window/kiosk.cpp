@@ -28,7 +28,7 @@ void start_tour(Kiosk& k, Session& s, double now) {
 
 bool attend(Kiosk& k, Session& s, ActiveStory& active, bool touched, double now) {
     if (touched) {
-        if (k.tours) s.viewpoint.flight.reset();
+        if (k.tours) fly_home(s, now);  // unless the touch moves the view
         k.idle = k.tours = false;
     }
     if (touched || active.playing) k.touched_at = now;

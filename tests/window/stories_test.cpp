@@ -229,6 +229,13 @@ TEST_F(WindowStories, AnIdleKioskShowsItsLoopAndAnInvitation) {
     EXPECT_TRUE(w.there("Bar Home"));
     EXPECT_FALSE(w.there("Caption"));
     EXPECT_FALSE(w.there("Next note")) << "the next visitor chooses a note";
+    w.wait(2);
+    EXPECT_EQ(w.session.viewpoint.camera.eye, w.session.viewpoint.home.eye)
+        << "and begins at the opening view";
+    w.press("Bar Compare"), w.wait(1);
+    EXPECT_TRUE(w.there("Swipe"));
+    EXPECT_FALSE(w.there("Note 2") || w.there("List 2")) << "they would cover the photo";
+    w.press("Bar Compare"), w.wait(1);
     w.press("Play All notes"), w.wait(15);
     EXPECT_TRUE(w.session.viewpoint.flight && w.there("Caption")) << "a visitor's tour is not idleness";
     EXPECT_EQ(shown_text().find("Touch to begin"), std::string::npos) << shown_text();
