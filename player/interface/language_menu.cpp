@@ -8,9 +8,6 @@
 #include "base/text/translation.h"
 
 namespace vantage {
-namespace {
-
-/// The name of a language in that language, for users who do not know the current one.
 std::string own_name(const std::string& code) {
     struct Name {
         const char *code, *name;
@@ -21,8 +18,6 @@ std::string own_name(const std::string& code) {
     const auto at = std::ranges::find(names, code, &Name::code);
     return at == std::end(names) ? code : at->name;
 }
-
-}  // namespace
 
 void language_items(Controls& c, WindowState& window) {
     std::vector<std::string> codes = languages_of_window();

@@ -10,6 +10,7 @@
 #include "base/text/formatted.h"
 #include "base/text/translation.h"
 #include "player/interface/docked.h"
+#include "player/interface/language_menu.h"
 #include "player/interface/state/failure_text.h"
 
 namespace vantage {
@@ -18,13 +19,15 @@ namespace {
 void language_choice(Controls& c, const ActiveStory& active, Session& s) {
     const std::vector<std::string> languages = languages_of(active.story);
     if (languages.size() < 2) return;
+    std::vector<std::string> own;
+    for (const std::string& l : languages) own.push_back(own_name(l));
     std::vector<const char*> names;
     int chosen = 0;
     for (const std::string& l : languages) {
         if (l == active.language ||
             (l == active.story.language && !std::ranges::count(languages, active.language)))
             chosen = int(names.size());
-        names.push_back(l.c_str());
+        names.push_back(own[names.size()].c_str());
     }
     if (c.combo("Language", &chosen, names.data(), int(names.size())))
         s.window.language = languages[std::size_t(chosen)];
@@ -54,7 +57,7 @@ void tour_buttons(Controls& c, ActiveStory& active, Session& s, double now) {
 std::string note_label(const ActiveStory& active, std::size_t note) {
     const StoryNote& n = active.story.notes[note];
     const std::string& title = text_in(active.story, n.title, active.language);
-    return std::to_string(note + 1) + "  " + (title.empty() ? n.id : title);
+    return std::to_string(note + 1) + "  " + (title.empty() ? tr("Untitled note") : title);
 }
 
 void story_content(Controls& c, ActiveStory& active, Session& s, double now) {

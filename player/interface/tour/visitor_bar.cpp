@@ -181,7 +181,7 @@ void visitor_bar(Controls& c, Session& s, const Renderer& renderer, const View& 
             use(*tool, s, renderer, view, now);
         if (tool->icon == Icon::language) language_button = ImGui::GetItemRectMin().x;
         if (tool->icon == Icon::share) share_button = ImGui::GetItemRectMin().x;
-        c.explain(tool->help);
+        if (!s.window.kiosk) c.explain(tool->help);  // names keys
     }
     languages(c, s.window, area, language_button);
     page_on_the_web(c, s.window, area, share_button);
