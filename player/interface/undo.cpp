@@ -35,7 +35,7 @@ void restore(ActiveStory& active, const Story& story) {
     if (const StoryNote* const note = note_of(active.story, open))
         active.open = std::size_t(note - active.story.notes.data());
     active.playing.reset();
-    active.changed = story_text(story) != active.on_disk;
+    active.changed = story_text(story) != active.saved;
 }
 
 }  // namespace

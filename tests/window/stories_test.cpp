@@ -70,6 +70,7 @@ TEST_F(WindowStories, ACuratorWritesOrdersAndDeletesNotes) {
     EXPECT_EQ(w.session.viewpoint.home.eye, w.session.viewpoint.camera.eye) << "H flies there";
     add_note(w, "Tower");
     w.press("Text of the note"), w.type("Built in 1702");
+    w.key(GLFW_KEY_ESCAPE);  // ends typing, and keeps the text
     for (const char* title : {"Door", "Roof", "Gate", "Stairs"}) add_note(w, title);
     w.press("Make a tour of all notes");
     w.fill_in("Flight", "1.5"), w.fill_in("Stay", "9999");
@@ -118,6 +119,9 @@ TEST_F(WindowStories, UnsavedChangesAreAskedAbout) {
     };
     w.key(GLFW_KEY_E, KeyPress::With::control);
     EXPECT_TRUE(quits()) << "nothing has changed";
+    w.press("Set the opening view");
+    w.key(GLFW_KEY_Z, KeyPress::With::control);
+    EXPECT_TRUE(quits()) << "all is undone";
     w.press("Set the opening view");
     EXPECT_FALSE(quits());
     EXPECT_NE(shown_text().find("Save the changes to the story one.story.json?"), std::string::npos);

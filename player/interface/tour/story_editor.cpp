@@ -24,12 +24,16 @@ std::string edited_language(const ActiveStory& active) {
     return std::ranges::count(languages, active.language) ? active.language : active.story.language;
 }
 
+/// Whether a text field has changed, except by Esc, which ends typing but must not lose the text.
+bool keeps_typed(bool changed) { return changed && !ImGui::IsItemDeactivated(); }
+
 /// A text field of one line. Its ID and its recorded name are `name`. Returns whether the text has changed.
 bool line_field(Controls& c, const std::string& name, const char* hint, std::string& text) {
     std::array<char, 501> typed{};
     std::snprintf(typed.data(), typed.size(), "%s", text.c_str());
     ImGui::SetNextItemWidth(field_width * ImGui::GetFontSize());
-    const bool changed = ImGui::InputTextWithHint(("##" + name).c_str(), hint, typed.data(), typed.size());
+    const bool changed =
+        keeps_typed(ImGui::InputTextWithHint(("##" + name).c_str(), hint, typed.data(), typed.size()));
     if (changed) text = typed.data();
     c.note(name.c_str());
     return changed;
@@ -162,7 +166,8 @@ void StoryEditor::fields(Controls& c, ActiveStory& active) {
     std::array<char, 20001> text{};
     std::snprintf(text.data(), text.size(), "%s", text_in(active.story, note.text, language).c_str());
     const float em = ImGui::GetFontSize();
-    if (ImGui::InputTextMultiline("##text", text.data(), text.size(), ImVec2(field_width * em, 8.5f * em))) {
+    if (keeps_typed(ImGui::InputTextMultiline("##text", text.data(), text.size(),
+                                              ImVec2(field_width * em, 8.5f * em)))) {
         set_text(active.story, note.text, language, text.data());
         active.changed = true;
     }
