@@ -82,7 +82,7 @@ ImRect rect_of(const char* text) {
     for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
         if (window->Active && std::string_view(window->Name).find(text) != std::string_view::npos)
             return window->Rect();
-    ADD_FAILURE() << "there is no panel " << text;
+    ADD_FAILURE() << "no panel has the name " << text;
     return {};
 }
 
