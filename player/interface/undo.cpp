@@ -7,7 +7,6 @@
 
 #include "base/text/formatted.h"
 #include "base/text/translation.h"
-#include "scene/story/story_file.h"
 
 namespace vantage {
 namespace {
@@ -35,7 +34,7 @@ void restore(ActiveStory& active, const Story& story) {
     if (const StoryNote* const note = note_of(active.story, open))
         active.open = std::size_t(note - active.story.notes.data());
     active.playing.reset();
-    active.changed = story_text(story) != active.saved;
+    active.changed = story != active.saved;
 }
 
 }  // namespace

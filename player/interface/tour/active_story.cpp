@@ -32,7 +32,7 @@ ActiveStory active_story(const std::filesystem::path& package, const InputAxes& 
     ActiveStory active{story_file_of(package), axes, {}, language, {}, {}};
     const std::string base = language.substr(0, language.find('-'));
     if (std::ranges::count(languages_of_window(), base)) active.story.language = base;
-    active.saved = story_text(active.story);
+    active.saved = active.story;
     std::error_code error;
     if (active.file.empty() || !std::filesystem::exists(std::filesystem::symlink_status(active.file, error)))
         return active;
@@ -40,7 +40,7 @@ ActiveStory active_story(const std::filesystem::path& package, const InputAxes& 
         ReadStory read = read_story(active.file);
         active.on_disk = text_on_disk(active.file);
         active.story = std::move(read.story);
-        active.saved = story_text(active.story);
+        active.saved = active.story;
         if (!read.unknown.empty())
             active.trouble = failure_text(tr("The story cannot be edited."), read.unknown.front());
     } catch (const Error& e) {
@@ -104,7 +104,8 @@ void save(ActiveStory& active) {
         throw Error(Exit::usage,
                     active.file.string() + ": was changed by another program, and is not replaced");
     write_story(active.file, active.story);
-    active.on_disk = active.saved = story_text(active.story);
+    active.on_disk = story_text(active.story);
+    active.saved = active.story;
     active.changed = false;
 }
 

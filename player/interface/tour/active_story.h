@@ -24,7 +24,7 @@ struct ActiveStory {
         double start;  ///< seconds
     };
     std::optional<Playing> playing{};
-    std::string saved{};  ///< text of the story when read or saved
+    Story saved{};  ///< the story when read or saved
 
     bool editable() const { return !file.empty() && trouble.empty(); }
     bool any() const { return !story.notes.empty() || !story.tours.empty(); }

@@ -19,16 +19,16 @@ namespace {
 void language_choice(Controls& c, const ActiveStory& active, Session& s) {
     const std::vector<std::string> languages = languages_of(active.story);
     if (languages.size() < 2) return;
-    std::vector<std::string> own;
-    for (const std::string& l : languages) own.push_back(own_name(l));
-    std::vector<const char*> names;
+    std::vector<std::string> own_names;
     int chosen = 0;
     for (const std::string& l : languages) {
         if (l == active.language ||
             (l == active.story.language && !std::ranges::count(languages, active.language)))
-            chosen = int(names.size());
-        names.push_back(own[names.size()].c_str());
+            chosen = int(own_names.size());
+        own_names.push_back(own_name(l));
     }
+    std::vector<const char*> names;
+    for (const std::string& name : own_names) names.push_back(name.c_str());
     if (c.combo("Language", &chosen, names.data(), int(names.size())))
         s.window.language = languages[std::size_t(chosen)];
 }
